@@ -173,7 +173,7 @@ void rescore(SearchResult& result, const FitProblem& problem) {
   const LawErrors laws(problem.samples);
   result.alone.fit = refitted(problem, result.alone.fit, problem.samples, false, 0);
   result.alone.cost = result.alone.fit.cost;
-  if (problem.correction) cost_explanation(result.alone, problem, laws, ModelFit(result.alone.fit));
+  if (problem.correction) cost_explanation(result.alone, problem, laws, result.alone.fit);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t i = 0; i < result.candidates.size(); ++i) {
     Candidate& candidate = result.candidates[i];

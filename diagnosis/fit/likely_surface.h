@@ -46,10 +46,10 @@ class LikelySurface {
   std::vector<std::size_t> counted_;
   std::vector<LawError> changes_;
   std::vector<double> factors_;  ///< z*
-  std::vector<double> likely_;
-  std::vector<double> shift_;  ///< sum_k S_k z*_k without the last
-  Eigen::MatrixXd axes_;       ///< of S S^T, whitened
-  Eigen::VectorXd shrink_;     ///< 1 - 1/sqrt(1 + its eigenvalue)
+  std::vector<double> likely_;   ///< z, near which z* is
+  std::vector<double> shift_;    ///< sum_k S_k z*_k without the last
+  Eigen::MatrixXd axes_;         ///< of S S^T, whitened
+  Eigen::VectorXd shrink_;       ///< 1 - 1/sqrt(1 + its eigenvalue)
 };
 
 /// What a fit says on the surface that is likely from these samples, at all samples of the problem.

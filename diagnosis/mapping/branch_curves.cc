@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-/// Displacement against force, straight in f^(2/3) between what was solved: as the approach is by Hertz.
+/// Displacement against force, smooth in f^(2/3), as the approach is by Hertz, between what was solved.
 /// Beyond its ends it stays as it is there.
 class ForceCurve {
  public:

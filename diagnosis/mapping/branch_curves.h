@@ -43,7 +43,7 @@ Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
                     const std::vector<SolvedResponse>& solved);
 
 /// Errors of the displacement, each times a factor of unit variance, as mechanics.h has them: principal
-/// components of the changes (all at the same forces), straight in f^(2/3) between these, and last what the
+/// components of the changes (all at the same forces), smooth in f^(2/3) between these, and last what the
 /// zero may be off by.
 std::vector<std::function<double(double force)>> surface_errors_of(const OtherSurfaces& surfaces);
 

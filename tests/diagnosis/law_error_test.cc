@@ -11,6 +11,12 @@
 namespace asperity {
 namespace {
 
+/// Finite elements whose approach is off by a nanometre.
+class OffByANanometre : public BranchCorrection {
+ public:
+  double error() const override { return test::nm; }
+};
+
 struct Made {
   Samples samples = test::approach_and_back(0, 1e-8, 200);
   Noise noise;
@@ -71,6 +77,48 @@ TEST(LawError_behaviour, of_one_solution_is_shared_by_all_segments) {
   EXPECT_LT(by_mesh(same), noise + 10);
   EXPECT_GT(by_mesh(opposed), noise + 1000);
   EXPECT_LT(m.cost(opposed, {m.error}), m.cost(m.white, {m.error}) + 100);
+}
+
+/// A sensor that clips would hide what a mesh is off by, and gain evidence by it.
+TEST(LawError_analytic, what_a_mesh_is_off_by_is_not_muted_by_the_sensor) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  problem.choice = completed({}, problem.experiment);
+  const auto samples = test::approach_and_back(1e-9, 1e-8, 20);
+  const auto fit_of = [&](const std::vector<const Effect*>& effects, const std::vector<double>& values) {
+    ModelFit fit;
+    fit.explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects,
+                                                    std::make_shared<OffByANanometre>());
+    fit.values = values;
+    return fit;
+  };
+  const Hertz hertz = problem.experiment.hertz();
+  const double clipped_at = 0.3 * hertz.force(1e-8);
+  const auto plain = mesh_errors(fit_of({}, {}), samples),
+             clipped = mesh_errors(fit_of({&effect_of("clipping")}, {clipped_at}), samples);
+  ASSERT_EQ(plain.size(), 1u);
+  ASSERT_EQ(clipped.size(), 1u);
+  for (std::size_t i = 0; i < samples.list.size(); ++i) {
+    const double d = samples.list[i].normal_displacement;
+    EXPECT_EQ(clipped[0][i], plain[0][i]);
+    EXPECT_NEAR(plain[0][i] / (hertz.force(d - test::nm) - hertz.force(d)), 1, 1e-6) << d;
+  }
+}
+
+/// What every set has is no reason to prefer one that has less of it: only the room of laws counts.
+TEST(LawError_analytic, the_determinant_is_that_of_the_laws_beside_the_mesh) {
+  const Made m;
+  const LawErrors errors(m.samples);
+  const auto cost = [&](const std::vector<LawError>& of_laws, const std::vector<LawError>& of_mesh_along) {
+    return errors.cost(m.samples, m.noise, m.white, {{}, of_laws, of_mesh_along, {}});
+  };
+  const double of_both = cost({m.error, m.error}, {}).log_determinant,
+               of_one = cost({m.error}, {}).log_determinant;
+  EXPECT_GT(of_one, 5);
+  EXPECT_EQ(cost({}, {m.error}).log_determinant, 0);
+  // Determinants multiply: of law and mesh together over that of the mesh.
+  EXPECT_NEAR(cost({m.error}, {m.error}).log_determinant, of_both - of_one, 1e-6 * of_both);
+  EXPECT_NEAR(cost({}, {m.error}).of_misfit, cost({m.error}, {}).of_misfit, 1e-9);
 }
 
 TEST(LawError_behaviour, surfaces_that_resemble_each_other_are_taken_off_together) {

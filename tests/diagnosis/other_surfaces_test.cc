@@ -202,5 +202,23 @@ TEST(OtherSurfaces_analytic, errors_have_the_second_moments_of_the_changes) {
   EXPECT_TRUE(surface_errors_of({}).empty());
 }
 
+TEST(OtherSurfaces_analytic, changes_are_smooth_between_their_forces) {
+  // A change that grows with the square of x = f^(2/3): straight lines between would be off by h^2/4.
+  OtherSurfaces surfaces;
+  SurfaceChange change;
+  constexpr double step = 0.5;
+  for (int i = 1; i <= 8; ++i) {
+    change.force.push_back(std::pow(step * i, 1.5));
+    change.displacement.push_back(step * i * step * i * nm);
+  }
+  surfaces.changes = {change};
+  const auto errors = surface_errors_of(surfaces);
+  ASSERT_EQ(errors.size(), 2u);
+  for (int i = 2; i < 7; ++i) {
+    const double x = step * (i + 0.5);
+    EXPECT_NEAR(std::abs(errors[0](std::pow(x, 1.5))), x * x * nm, 0.1 * step * step / 4 * nm) << x;
+  }
+}
+
 }  // namespace
 }  // namespace asperity
