@@ -8,6 +8,7 @@
 #include "core/printed.h"
 #include "core/quantity.h"
 #include "fem/case/case_setup.h"
+#include "fem/case/derived_spacing.h"
 #include "fem/case/mesh_quality.h"
 #include "fem/case/solve_cost.h"
 #include "fem/cells/vtk_order.h"
@@ -109,6 +110,7 @@ void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
   const HexMeshQuality quality = hex_mesh_quality(level, positions, options);
   for (int body = 0; body < 2; ++body)
     if (setup.roughness[body].rough()) say(resolution_text(setup.roughness[body], body_name[body]));
+  if (const std::string text = attraction_text(setup); !text.empty()) say(text);
   say_quality(say, quality);
   require_quality(quality, options, input.file);
 

@@ -84,7 +84,7 @@ void press_and_separate(const NormalContact& half_spaces, const CaseInput& input
   contact.attracting = pressed.contact.force - pressed.force;
   const auto separate = [&](const AdhesiveContact& from) {
     if (options.with_pull_off) contact.pull_off = from.pull_off(pressed, how);
-    if (options.with_stiffness) contact.stiffness = from.stiffness(pressed, how);
+    if (options.with_stiffness && !options.edge_is_held) contact.stiffness = from.stiffness(pressed, how);
   };
   if (std::isinf(how.hardness)) {
     separate(adhesive);
@@ -124,7 +124,8 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
     contact.lateral_stiffness = stuck.lateral_stiffness(contact.solution.pressure);
     contact.torsion_stiffness = stuck.torsion_stiffness(contact.solution.pressure);
   }
-  if (options.with_stiffness && !options.attraction && !contact.shape.reaches_edge)
+  const bool as_it_stands = !options.attraction || options.edge_is_held;
+  if (options.with_stiffness && as_it_stands && !contact.shape.reaches_edge)
     contact.stiffness = half_spaces.stiffness(contact.solution);
   return contact;
 }

@@ -25,6 +25,9 @@ struct CaseContactOptions {
   int most_cells = 1024;  ///< along a side; the spacing grows where that is too few
   double hardness = std::numeric_limits<double>::infinity();  ///< [Pa]
   bool with_stiffness = true;
+  /// Of surfaces that attract each other: stiffness is that of the contact as it stands, as finite elements
+  /// measure it, in place of the slope of separation, along which the edge moves.
+  bool edge_is_held = false;
   bool with_shear_stiffness = false;
   std::optional<Attraction> attraction;  ///< of the surfaces; none: no adhesion
   bool with_pull_off = true;             ///< of surfaces that attract each other

@@ -68,6 +68,19 @@ class AttractedContact : public ContactOnLaw {
   double pull_off_;
 };
 
+constexpr const char* mesh_entry = "Mesh/Interface spacing";
+
+/// Spacing of a mesh of the case's, divided by powers of the root of two, that has three cells over the zone
+/// in which Dugdale's attraction acts, pi E* h0^2 / (4 w): with fewer the pull-off force is too large
+/// (fem/case/derived_spacing.h) [m].
+double resolving_spacing(const Experiment& e, double work, double range) {
+  constexpr double cells = 3;
+  const double enough = M_PI * e.reduced_modulus() * range * range / (4 * work) / cells;
+  double spacing = e.case_spacing;
+  while (spacing > enough) spacing /= M_SQRT2;
+  return spacing;
+}
+
 class Adhesion : public Effect {
  public:
   const EffectDescription& description() const override {
@@ -116,7 +129,21 @@ class Adhesion : public Effect {
     const double work = p[0] / (branch->pull_off() * M_PI * e.radius);
     const double range =
         2 * work / branch->lambda() * std::cbrt(e.radius / (M_PI * work * stiffness * stiffness));
-    return {{"Interface/Work of adhesion", work, "J/m^2"}, {"Interface/Adhesion range", range, "m"}};
+    std::vector<CaseChange> changes{{"Interface/Work of adhesion", work, "J/m^2"},
+                                    {"Interface/Adhesion range", range, "m"}};
+    if (const double spacing = resolving_spacing(e, work, range); spacing < e.case_spacing)
+      changes.push_back({mesh_entry, spacing, "m"});
+    return changes;
+  }
+  /// The mesh is a means: it has no interval.
+  std::vector<CorrectedEntry> corrected_entries(const Experiment& e,
+                                                const std::vector<DiagnosedParameter>& found) const override {
+    Experiment of_own_mesh = e;
+    of_own_mesh.case_spacing = 0;
+    auto entries = Effect::corrected_entries(of_own_mesh, found);
+    const double spacing = resolving_spacing(e, entries[0].value, entries[1].value);
+    if (spacing < e.case_spacing) entries.push_back({mesh_entry, "m", spacing, spacing, spacing, ""});
+    return entries;
   }
   double opening_distance(const Experiment& e, const double* p) const override {
     const MaugisContact contact(e.hertz(), p[0], p[1]);

@@ -10,9 +10,9 @@
 #include "core/shear_moduli.h"
 #include "core/written_apart.h"
 #include "fem/case/contact_path.h"
-#include "fem/case/solve_cost.h"
+#include "fem/case/derived_spacing.h"
+#include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
-#include "fem/interface/surface_attraction.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
 
@@ -83,21 +83,6 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
 
 }  // namespace
 
-std::string resolution_text(const MeshedRoughness& roughness, const std::string& body) {
-  const auto length = [](double value) { return format_quantity(value, Dimension::length); };
-  constexpr double little = 0.01;
-  std::string text = body + ": " + format_quantity(roughness.cells_per_wave(), Dimension::none, 2) +
-                     " cells over its shortest wave of " + length(roughness.scales.shortest_wave);
-  if (roughness.scales.unresolved > little)
-    text += "; still shorter waves hold " +
-            format_quantity(100 * roughness.scales.unresolved, Dimension::none, 2) +
-            " % of the scan's slope variance: they are not resolved";
-  if (roughness.scales.period < roughness.region)
-    text += "; the surface repeats every " + length(roughness.scales.period) + " within the region of " +
-            length(roughness.region) + " (a larger size= in Topography makes another surface that does not)";
-  return text;
-}
-
 J2Material material_of(const BodyInput& body) {
   J2Material material = J2Material::elastic(body.youngs_modulus, body.poisson_ratio);
   const Plasticity plasticity = make_plasticity(body);
@@ -120,40 +105,6 @@ CaseInput with_derived_path_length(const CaseInput& input) {
 
 namespace {
 
-/// Spacing of the interface's nodes where the case gives none [m]: twelve cells over Hertz' contact radius,
-/// which keep Hertz within 1 %, and four over the shortest wave of either surface, with which the largest
-/// pressure reads 10 to 25 % too small and real area is good to some 7 % (output/discretisation_error.h);
-/// result.json states both.
-double derived_spacing(const CaseSetup& setup) {
-  constexpr double cells_per_radius = 12, cells_per_wave = 4;
-  double spacing = setup.hertz_radius / cells_per_radius;
-  for (const auto& body : setup.roughness)
-    spacing = std::min(spacing, body.scales.shortest_wave / cells_per_wave);
-  return spacing;
-}
-
-/// A derived mesh must fit a workstation: hours and some 3 GB.
-void require_affordable(const CaseInput& input, const CaseSetup& setup) {
-  constexpr double most_unknowns = 4e6;
-  const double unknowns = estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers);
-  const double spacing = setup.system.mesh.sizes.spacing_particle;
-  const auto& scales =
-      setup
-          .roughness[setup.roughness[0].scales.shortest_wave < setup.roughness[1].scales.shortest_wave ? 0
-                                                                                                       : 1]
-          .scales;
-  if (unknowns <= most_unknowns || !std::isfinite(scales.shortest_wave)) return;
-  const double affordable = spacing * std::sqrt(unknowns / most_unknowns);
-  throw InputError(input.file + ": the slopes of the roughness lie in waves down to " +
-                   format_quantity(scales.shortest_wave, Dimension::length) + ", which take cells of " +
-                   format_quantity(spacing, Dimension::length) + " and some " +
-                   format_quantity(unknowns / 1e6, Dimension::none, 2) +
-                   " million unknowns; leave out the shorter waves with cutoff=" +
-                   format_quantity(4 * affordable, Dimension::length, 2) +
-                   " in Topography, lower the load, or accept what a mesh of your own "
-                   "Mesh/Interface spacing leaves out");
-}
-
 /// Radius that a smooth contact has at most [m]: Hertz', or where a body yields that of a mean pressure of
 /// two yield stresses. A sphere that is indented until all below it flows carries 2.84 of them, less where
 /// the contact is wide (Jackson & Green 2005). Under a given approach its contact is 1.49 times Hertz' at 650
@@ -166,6 +117,22 @@ double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   if (input.experiment.control == ExperimentInput::Control::displacement)
     flowing = std::min(flowing, piled_up * setup.hertz_radius);
   return std::max(setup.hertz_radius, flowing);
+}
+
+/// Radius to which attraction of a range of nothing draws a smooth contact [m]: the most that it can
+/// (Johnson, Kendall & Roberts 1971). 0: nothing attracts.
+double attracted_radius(const CaseInput& input, const CaseSetup& setup) {
+  const double R = input.radius, E = setup.reduced_modulus,
+               work = setup.attraction.acts() ? work_of_adhesion(input.interface).opening : 0,
+               c = 3 * M_PI * work * R, F = setup.largest_contact_force();
+  if (work == 0) return 0;
+  if (input.experiment.control == ExperimentInput::Control::force)
+    return std::cbrt(0.75 * R * (F + c + std::sqrt(2 * c * F + c * c)) / E);
+  double a = setup.hertz_radius;
+  constexpr int enough = 30;  // each iteration leaves a quarter of the change before
+  for (int k = 0; k < enough; ++k)
+    a = std::sqrt(R * (setup.hertz_approach + std::sqrt(2 * M_PI * work * a / E)));
+  return a;
 }
 
 /// Half width of the finely meshed square [m]; throws InputError where no mesh has it.
@@ -182,7 +149,8 @@ double contact_region(const CaseInput& input, const CaseSetup& setup, double spa
     region = hertz_reach(setup.hertz_radius, R, reach) + 2 * spacing;
     // How far a body flows is an estimate: a mesh that holds Hertz' contact is not refused for it.
     const double flows_to = hertz_reach(setup.largest_radius, R, reach) + 2 * spacing;
-    region = std::max(region, std::min(flows_to, largest_region));
+    const double drawn_to = 1.1 * attracted_radius(input, setup) + 2 * spacing;
+    region = std::max(region, std::min(std::max(flows_to, drawn_to), largest_region));
   }
   if (region > largest_region) {
     const auto [found, allowed] = quantities_apart(region, largest_region, Dimension::length);
@@ -224,6 +192,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   const TopographySpec& upper = input.particle.topography;
   const TopographySpec& lower = input.substrate.topography;
 
+  setup.attraction = attraction_scales(input);
   setup.roughness[0].scales = topography_scales(upper);
   setup.roughness[1].scales = topography_scales(lower);
 

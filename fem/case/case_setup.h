@@ -5,6 +5,7 @@
 #include "core/case.h"
 #include "fem/case/mesh_quality.h"
 #include "fem/contact/contact_system.h"
+#include "fem/interface/surface_attraction.h"
 #include "fem/programs/program.h"
 #include "surfaces/surface_of_entry.h"
 
@@ -22,9 +23,6 @@ struct MeshedRoughness {
   double cells_per_wave() const { return scales.shortest_wave / spacing; }
 };
 
-/// One line on which waves of a rough body its mesh resolves, and which not.
-std::string resolution_text(const MeshedRoughness& roughness, const std::string& body);
-
 struct CaseSetup {
   ContactSystemOptions system;
   double hertz_radius = 0;                     ///< a of the smooth elastic contact at the largest load [m]
@@ -36,6 +34,7 @@ struct CaseSetup {
   MotionScales motion;                         ///< of the steps of sliding and torsion
   double rms_particle = 0, rms_substrate = 0;  ///< of the heights within the contact region [m]
   std::array<MeshedRoughness, 2> roughness;    ///< particle, substrate
+  AttractionScales attraction;
 
   double largest_contact_force() const { return largest_load + attraction_force; }  ///< [N]
 };

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "core/wait_text.h"
+#include "fem/case/derived_spacing.h"
 #include "fem/case/mesh_quality.h"
 #include "fem/contact/carried_state.h"
 #include "fem/experiments/contact_experiment.h"
@@ -54,6 +55,7 @@ bool ContactExperiment::start() {
   for (int body = 0; body < 2; ++body)
     if (setup_.roughness[body].rough())
       say(resolution_text(setup_.roughness[body], body == 0 ? "particle" : "substrate"));
+  if (const std::string text = attraction_text(setup_); !text.empty()) say(text);
   mesh(path_.first(), nullptr);
   state_ = solver_->first_touch();
   state_.motion = program_.front().motion;

@@ -1,6 +1,7 @@
 #include "fem/interface/surface_attraction.h"
 
 #include "fem/interface/adhesion_law.h"
+#include "half_space/case_contact.h"
 
 namespace asperity::fem {
 
@@ -19,6 +20,12 @@ std::optional<half_space::Attraction> surface_attraction(const InterfaceInput& i
   return half_space::Attraction{[law = laws.closing](double gap) { return law->at(gap).stress; },
                                 [law = laws.opening](double gap) { return law->at(gap).stress; },
                                 attraction_reach(input, left), laws.opening->at(0).work};
+}
+
+AttractionScales attraction_scales(const CaseInput& input) {
+  const auto attraction = surface_attraction(input.interface);
+  if (!attraction) return {};
+  return {half_space::attraction_zone(input, *attraction), attraction->work / attraction->opening(0)};
 }
 
 }  // namespace asperity::fem

@@ -1,5 +1,7 @@
 #include "fem/output/half_space_check.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/quantity.h"
 #include "fem/interface/surface_attraction.h"
@@ -17,12 +19,13 @@ std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, 
   half_space::CaseContactOptions options;
   options.attraction = surface_attraction(input.interface);
   options.half_width = setup.system.mesh.sizes.region_particle;
-  options.spacing = setup.system.mesh.sizes.spacing_particle / 2;
-  if (options.attraction && options.spacing > half_space::attraction_zone(input, *options.attraction) / 2)
-    return std::nullopt;
+  options.spacing = std::min(setup.system.mesh.sizes.spacing_particle / 2, setup.attraction.zone / 3);
+  options.most_cells = options.attraction ? 256 : 512;  // some two hundred contacts in place of one
+  const double finest = 2 * options.half_width / options.most_cells;
+  if (options.attraction && finest > setup.attraction.zone / 2) return std::nullopt;
   options.with_pull_off = tension > 0;
   options.with_shear_stiffness = true;
-  options.most_cells = options.attraction ? 256 : 512;  // some two hundred contacts in place of one
+  options.edge_is_held = true;
   try {
     return half_space::contact_of_case(pressed, options);
   } catch (const InputError&) {  // a contact that goes beyond half the radius, or the scan

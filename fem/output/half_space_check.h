@@ -12,9 +12,10 @@
 namespace asperity::fem {
 
 /// The same surfaces under the force of the step `peak`, on the square of the mesh's fine region in cells of
-/// half its spacing, 512 along a side at most, or 256 of surfaces that attract each other. None where
-/// half-spaces do not solve the same problem: bodies that have yielded, attraction told as a force, motion;
-/// or where nothing presses. tension: largest of the history [N]; where there is any, the pull-off is solved
+/// half its spacing, or a third of the zone of attraction where that is less, 512 along a side at most, or
+/// 256 of surfaces that attract each other. None where half-spaces do not solve the same problem: bodies that
+/// have yielded, attraction told as a force, motion; where so many cells do not resolve the attraction; or
+/// where nothing presses. tension: largest of the history [N]; where there is any, the pull-off is solved
 /// too.
 std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, const CaseSetup& setup,
                                                         const HistoryRow& peak, double tension);

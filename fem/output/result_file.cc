@@ -87,6 +87,13 @@ json meanings() {
        "of the mean surfaces, without roughness; approach_from_first_touch: from where the meshed surfaces "
        "touch first, which is at "
        "an approach of first_touch and moves with the spacing"},
+      {"normal_stiffness",
+       "of the contact as it stands at the largest load: its edge and its attraction are held. Where "
+       "surfaces "
+       "attract each other, the slope of separation is less (asperity preview)"},
+      {"attraction_zone",
+       "length at the edge of a contact in which the attraction acts, pi E* w/(4 s^2) for a work of adhesion "
+       "w and a stress s at contact: cells of a third of it resolve it"},
       {"load_step_error",
        "by which finite load steps make the approach of bodies that yield too large, over the approach "
        "from first touch; it "
@@ -137,6 +144,7 @@ json mesh_of(const CaseSetup& setup, const std::vector<HistoryRow>& records, con
           {"interface_spacing", setup.system.mesh.sizes.spacing_particle},
           {"contact_region", setup.system.mesh.sizes.region_particle},
           {"contact_nodes", s.contact_nodes},
+          {"attraction_zone", setup.attraction.acts() ? json(setup.attraction.zone) : json(nullptr)},
           {"roughness",
            {{"particle", resolved_roughness(setup.roughness[0])},
             {"substrate", resolved_roughness(setup.roughness[1])}}},
@@ -167,8 +175,8 @@ std::string result_json(const CaseInput& input, const CaseSetup& setup,
   const HistoryRow& least = *std::min_element(records.begin(), records.end(), by_force);
   const double wave =
       std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
-  const DiscretisationError error(peak, setup.system.mesh.sizes.spacing_particle, setup.reduced_modulus,
-                                  wave);
+  const DiscretisationError error(
+      peak, {setup.system.mesh.sizes.spacing_particle, setup.reduced_modulus, wave, setup.attraction});
   json result{
       {"format", "asperity-result/1"},
       {"title", input.title},

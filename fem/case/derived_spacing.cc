@@ -1,0 +1,84 @@
+#include "fem/case/derived_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/quantity.h"
+#include "fem/case/contact_path.h"
+#include "fem/case/solve_cost.h"
+
+namespace asperity::fem {
+namespace {
+
+constexpr double cells_per_radius = 12, cells_per_wave = 4, cells_per_zone = 3;
+
+std::string length_text(double value, int digits = 3) {
+  return format_quantity(value, Dimension::length, digits);
+}
+std::string number_text(double value, int digits = 2) {
+  return format_quantity(value, Dimension::none, digits);
+}
+
+double shortest_wave(const CaseSetup& setup) {
+  return std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
+}
+
+}  // namespace
+
+double derived_spacing(const CaseSetup& setup) {
+  return std::min({setup.hertz_radius / cells_per_radius, shortest_wave(setup) / cells_per_wave,
+                   setup.attraction.zone / cells_per_zone});
+}
+
+void require_affordable(const CaseInput& input, const CaseSetup& setup) {
+  constexpr double most_unknowns = 4e6;
+  const double unknowns = estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers);
+  const double spacing = setup.system.mesh.sizes.spacing_particle, wave = shortest_wave(setup);
+  const bool by_waves = std::isfinite(wave) && spacing >= wave / cells_per_wave;
+  const bool by_zone = !by_waves && spacing >= setup.attraction.zone / cells_per_zone;
+  if (unknowns <= most_unknowns || (!by_waves && !by_zone)) return;
+  const double affordable = spacing * std::sqrt(unknowns / most_unknowns);
+  const std::string cells = ", which take cells of " + length_text(spacing) + " and some " +
+                            number_text(unknowns / 1e6) + " million unknowns; ";
+  if (by_waves)
+    throw InputError(
+        input.file + ": the slopes of the roughness lie in waves down to " + length_text(wave) + cells +
+        "leave out the shorter waves with cutoff=" + length_text(cells_per_wave * affordable, 2) +
+        " in Topography, lower the load, or accept what a mesh of your own "
+        "Mesh/Interface spacing leaves out");
+  // The zone goes with the square of the length over which attraction falls.
+  const double longer = std::sqrt(affordable / spacing);
+  throw InputError(input.file + ": the attraction acts in a zone of " + length_text(setup.attraction.zone) +
+                   " at the edges of contacts" + cells + "let it fall over " + number_text(longer) +
+                   " times the length with the same work of adhesion, lower the load, or accept the "
+                   "pull-off force of a mesh of your own Mesh/Interface spacing, which is too large");
+}
+
+std::string resolution_text(const MeshedRoughness& roughness, const std::string& body) {
+  constexpr double little = 0.01;
+  std::string text = body + ": " + number_text(roughness.cells_per_wave()) +
+                     " cells over its shortest wave of " + length_text(roughness.scales.shortest_wave);
+  if (roughness.scales.unresolved > little)
+    text += "; still shorter waves hold " + number_text(100 * roughness.scales.unresolved) +
+            " % of the scan's slope variance: they are not resolved";
+  if (roughness.scales.period < roughness.region)
+    text += "; the surface repeats every " + length_text(roughness.scales.period) + " within the region of " +
+            length_text(roughness.region) +
+            " (a larger size= in Topography makes another surface that does not)";
+  return text;
+}
+
+std::string attraction_text(const CaseSetup& setup) {
+  const double spacing = setup.system.mesh.sizes.spacing_particle;
+  const double enough = setup.attraction.zone / cells_per_zone;
+  constexpr double rounding = 1.01;
+  if (!setup.attraction.acts() || spacing <= rounding * enough) return "";
+  return "attraction: " + number_text(setup.attraction.zone / spacing) + " cells over the zone of " +
+         length_text(setup.attraction.zone) +
+         " at the edge of a contact in which it acts: the pull-off force will be too large; Mesh/Interface "
+         "spacing = " +
+         at_most(enough) + " resolves it";
+}
+
+}  // namespace asperity::fem
