@@ -188,6 +188,23 @@ std::string rung_text(const Rung& rung) {
          printed(", at least %g cells over the contact radius", rung.cells_per_radius);
 }
 
+/// Where attraction acts in a zone at the edges of contacts that the plan's cells do not resolve; empty where
+/// they do.
+std::string unresolved_attraction(const CharacteriseRequest& request, const CharacterisePlan& plan) {
+  if (!request.adhesion) return "";
+  constexpr double cells = 3;  // fem/case/derived_spacing.h
+  const auto [work, range] = *request.adhesion;
+  // The exponential law's stress at contact is w / range.
+  const double zone = M_PI * smooth_contact(request).reduced_modulus * range * range / (4 * work);
+  if (zone >= cells * plan.spacing) return "";
+  return "attraction over " + format_quantity(range, Dimension::length) + " acts in a zone of " +
+         format_quantity(zone, Dimension::length) +
+         " at the edges of contacts, which these cells do not resolve: pull-off force and adhesive rolling "
+         "resistance will be too large, and say by how much; a range of " +
+         format_quantity(range * std::sqrt(cells * plan.spacing / zone), Dimension::length, 2) +
+         " is resolved";
+}
+
 }  // namespace
 
 CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan& substrate,
@@ -242,6 +259,7 @@ std::vector<std::string> plan_sentences(const CharacteriseRequest& request, cons
     sentences.push_back(
         "no work of adhesion is given (--adhesion \"77 mJ/m^2, 1 nm\"): pull-off force and adhesive rolling "
         "resistance will not be known");
+  if (const std::string text = unresolved_attraction(request, plan); !text.empty()) sentences.push_back(text);
   if (plan.rung.realisations == 1)
     sentences.push_back(
         "one realisation: the scatter over the surface will not be known, and no interval holds it");

@@ -8,6 +8,7 @@
 #include "core/quantity.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
+#include "diagnosis/mapping/effects_in_case.h"
 #include "diagnosis/mapping/judged_part.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
 
@@ -19,22 +20,14 @@ using Effects = std::vector<const Effect*>;
 /// Most solutions for one set; root mean square distance to what was expected, in units of noise and mesh.
 constexpr int most_solves = 4, steps_of_refit = 6;
 constexpr double near_enough = 0.2, too_far = 1;
-/// Log evidence over the simulation alone from which a single effect is worth solutions of its own.
-constexpr double worth_solving = 8;
-constexpr std::size_t most_survivors = 3;
-/// Log evidence by which another must be better: for a set not to be solved, by reduced laws and what they
-/// may be off by; for one solved in part to be excluded.
-constexpr double excluded_by_law = 50, excluded_by_part = 4 * as_good;
+/// Log evidence by which other values fit better than those that were solved: no more than noise makes of two
+/// parameters.
+constexpr double little_to_gain = 1;
+/// Log evidence by which another must be better for a set that was solved in part to be excluded.
+constexpr double excluded_by_part = 4 * as_good;
 /// The same of a solution in progress, from which it begins again with values that its first loads ask for.
 constexpr double surprising = 3;
 const char* const not_as_expected = "its first loads were not what was expected and ask for other values";
-
-Effects in_case(const Effects& effects, const Experiment& experiment) {
-  Effects found;
-  for (const Effect* effect : effects)
-    if (effect->enters_by(experiment) == EntersBy::finite_elements) found.push_back(effect);
-  return found;
-}
 
 /// The reduced law of the contact, without what measures it and without a correction.
 Mechanics reduced_law(const FitProblem& problem, const ModelFit& fit) {
@@ -56,15 +49,6 @@ double distance(const FitProblem& problem, const Samples& part, const ModelFit& 
       ++count;
     }
   return std::sqrt(sum / std::max(1.0, count));
-}
-
-/// Null: none of these effects.
-const Candidate* candidate_of(const SearchResult& search, const Effects& effects) {
-  for (const Candidate& candidate : search.candidates)
-    if (const Effects& its = candidate.fit.explanation->effects();
-        std::is_permutation(its.begin(), its.end(), effects.begin(), effects.end()))
-      return &candidate;
-  return nullptr;
 }
 
 /// Half as far again as the contact was pressed, by the recording or, where that is more, by Hertz' law [m].
@@ -180,6 +164,7 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
   const std::string name = fit.explanation->name();
   std::string source;
   double apart = 0;
+  bool is_settled = false;
   Confirmation answer;
   for (int i = 0; i < most_solves; ++i) {
     const auto expected = fit.simulate(problem.samples);
@@ -197,61 +182,24 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
     }
     fit.is_confirmed = true;
     apart = distance(problem, answer.part, fit, expected);
+    const ModelFit solved_at = fit;
     fit = refitted(problem, fit, answer.part, false, steps_of_refit);
+    is_settled = apart < near_enough ||
+                 (apart < too_far &&
+                  worse_on_part(problem, answer.part, solved_at, fit, overdispersion_) < little_to_gain);
     if (answer.is_out_of_time ||
         (i > 0 && answer.state == Confirmation::partial && !answer.may_begin_again) ||
-        (i > 0 && answer.state == Confirmation::complete && apart < near_enough))
+        (i > 0 && answer.state == Confirmation::complete && is_settled))
       break;
   }
   if (answer.state == Confirmation::partial) return answer;
-  if (apart >= near_enough)
+  if (!is_settled)
     remarks_.push_back(name + printed(": after %d solutions the last still differs from what was expected "
                                       "of it by %.2g times noise and mesh error%s",
                                       most_solves, apart, apart >= too_far ? "; it stays open" : ""));
   if (apart >= too_far) return {Confirmation::failed, {}, {}};
   after_.push_back({name, source});
   return answer;
-}
-
-std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
-    const SearchResult& search, const FitProblem& problem, const std::vector<const Candidate*>& survivors) {
-  std::set<std::set<const Effect*>> wanted;
-  const auto want = [&](const Effects& effects) {
-    if (!in_case(effects, problem.experiment).empty()) wanted.insert({effects.begin(), effects.end()});
-  };
-  std::set<std::string> said;
-  const auto is_excluded = [&](const Candidate& candidate) {
-    const Candidate& best = search.candidates.front();
-    const std::string name = candidate.fit.explanation->name();
-    if (candidate.score >= best.score - excluded_by_law) return false;
-    if (said.insert(name).second)
-      remarks_.push_back(name + " was not solved: by its reduced law and what that may be off by, " +
-                         best.fit.explanation->name() +
-                         printed(" is better by %.0f in log evidence", best.score - candidate.score));
-    return true;
-  };
-  // What survived, with one member less too: a member must earn its place.
-  for (std::size_t i = 0; i < std::min(most_survivors, survivors.size()); ++i) {
-    const Effects& effects = survivors[i]->fit.explanation->effects();
-    want(effects);
-    for (const Effect* left_out : effects) {
-      Effects fewer = effects;
-      fewer.erase(std::find(fewer.begin(), fewer.end(), left_out));
-      const Candidate* candidate = candidate_of(search, fewer);
-      if (in_case(fewer, problem.experiment).empty() || wanted.count({fewer.begin(), fewer.end()})) continue;
-      if (!candidate || !is_excluded(*candidate)) want(fewer);
-    }
-  }
-  // The best by reduced laws, even where a member changes little: finite elements may say otherwise.
-  if (search.explains()) want(search.candidates.front().fit.explanation->effects());
-  for (const auto& candidate : search.candidates) {
-    const Effects& effects = candidate.fit.explanation->effects();
-    const bool helps = effects.size() == 1 && candidate.score > search.alone.score + worth_solving;
-    if (helps && !in_case(effects, problem.experiment).empty() && !wanted.count({effects.front()}) &&
-        !is_excluded(candidate))
-      want(effects);
-  }
-  return wanted;
 }
 
 void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,

@@ -2,7 +2,9 @@
 // (1992), where the catalogue's reduced law is a fit to that solution.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/error.h"
@@ -23,19 +25,29 @@ double modulus() { return reduced_modulus(sphere, plane); }
 class AttractingStandIn : public ForwardModel {
  public:
   int attracting = 0;
+  double case_spacing = 0, least_cells_over_zone = std::numeric_limits<double>::infinity();
 
-  SimulatedBodies bodies() const override { return {sphere, plane, sphere_radius}; }
+  SimulatedBodies bodies() const override {
+    SimulatedBodies bodies{sphere, plane, sphere_radius};
+    bodies.spacing = case_spacing;
+    return bodies;
+  }
 
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                     const std::vector<LoadingProtocol>& protocols,
                                     const EnoughOfIt&) override {
-    double work = 0, range = 0, of_radius = sphere_radius;
+    double work = 0, range = 0, of_radius = sphere_radius, spacing = case_spacing;
     for (const auto& change : changes) {
       if (change.entry == "Interface/Work of adhesion") work = change.value;
       if (change.entry == "Interface/Adhesion range") range = change.value;
+      if (change.entry == "Mesh/Interface spacing") spacing = change.value;
       if (change.entry == "Particle/Radius") of_radius = change.value;
       if (change.entry == "Particle/Yield stress") throw WorkError("this stand-in does not yield");
     }
+    // Maugis' zone in the limit of Johnson, Kendall & Roberts (1992).
+    if (work > 0)
+      least_cells_over_zone =
+          std::min(least_cells_over_zone, M_PI * modulus() * range * range / (4 * work) / spacing);
     std::vector<SolvedResponse> responses;
     for (const auto& protocol : protocols)
       responses.push_back(work > 0 ? attracted(protocol, {modulus(), of_radius, work, work / range})
@@ -135,6 +147,27 @@ TEST(SolvedAttraction_analytic, work_of_adhesion_and_range_are_those_of_Maugis_s
   // What these data hardly determine is not said to be known.
   EXPECT_LT(d.corrected()[1].low, work / stress);
   EXPECT_GT(d.corrected()[1].high, work / stress);
+}
+
+TEST(SolvedAttraction_analytic, attraction_of_a_short_range_is_solved_on_meshes_that_resolve_its_zone) {
+  const double work = 0.2, range = 0.2 * nm;
+  const MaugisDugdale truth{modulus(), sphere_radius, work, work / range};
+  const double largest = truth.advance({}, 6 * nm).force;
+  AttractingStandIn simulation;
+  simulation.case_spacing = 20 * nm;
+  const Diagnosis d = diagnosed(pulled(truth, 6 * nm, 0.005 * largest), simulation);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "adhesion");
+  EXPECT_GE(simulation.least_cells_over_zone, 3);
+  ASSERT_EQ(d.corrected().size(), 3u);
+  const CorrectedEntry of_work = d.corrected()[0], of_range = d.corrected()[1], mesh = d.corrected()[2];
+  EXPECT_NEAR(of_work.value / work, 1, 0.05);
+  EXPECT_LT(of_range.low, range);
+  EXPECT_GT(of_range.high, range);
+  EXPECT_EQ(mesh.entry, "Mesh/Interface spacing");
+  EXPECT_LT(mesh.value, 20 * nm);
+  EXPECT_GT(mesh.value, 4 * nm);  // no finer than a workstation solves in minutes
 }
 
 TEST(SolvedAttraction_analytic, a_contact_without_attraction_gets_none) {

@@ -1,0 +1,72 @@
+// Which sets are worth solutions by finite elements.
+#include <algorithm>
+
+#include "core/printed.h"
+#include "diagnosis/mapping/effects_in_case.h"
+#include "diagnosis/mapping/solved_case_mapping.h"
+
+namespace asperity {
+namespace {
+
+using Effects = std::vector<const Effect*>;
+
+/// Log evidence over the simulation alone from which a single effect is worth solutions of its own.
+constexpr double worth_solving = 8;
+constexpr std::size_t most_survivors = 3;
+/// Log evidence by which another must be better for a set not to be solved, by reduced laws and what they may
+/// be off by.
+constexpr double excluded_by_law = 50;
+
+/// Null: none of these effects.
+const Candidate* candidate_of(const SearchResult& search, const Effects& effects) {
+  for (const Candidate& candidate : search.candidates)
+    if (const Effects& its = candidate.fit.explanation->effects();
+        std::is_permutation(its.begin(), its.end(), effects.begin(), effects.end()))
+      return &candidate;
+  return nullptr;
+}
+
+}  // namespace
+
+std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
+    const SearchResult& search, const FitProblem& problem, const std::vector<const Candidate*>& survivors) {
+  std::set<std::set<const Effect*>> wanted;
+  const auto want = [&](const Effects& effects) {
+    if (!in_case(effects, problem.experiment).empty()) wanted.insert({effects.begin(), effects.end()});
+  };
+  std::set<std::string> said;
+  const auto is_excluded = [&](const Candidate& candidate) {
+    const Candidate& best = search.candidates.front();
+    const std::string name = candidate.fit.explanation->name();
+    if (candidate.score >= best.score - excluded_by_law) return false;
+    if (said.insert(name).second)
+      remarks_.push_back(name + " was not solved: by its reduced law and what that may be off by, " +
+                         best.fit.explanation->name() +
+                         printed(" is better by %.0f in log evidence", best.score - candidate.score));
+    return true;
+  };
+  // What survived, with one member less too: a member must earn its place.
+  for (std::size_t i = 0; i < std::min(most_survivors, survivors.size()); ++i) {
+    const Effects& effects = survivors[i]->fit.explanation->effects();
+    want(effects);
+    for (const Effect* left_out : effects) {
+      Effects fewer = effects;
+      fewer.erase(std::find(fewer.begin(), fewer.end(), left_out));
+      const Candidate* candidate = candidate_of(search, fewer);
+      if (in_case(fewer, problem.experiment).empty() || wanted.count({fewer.begin(), fewer.end()})) continue;
+      if (!candidate || !is_excluded(*candidate)) want(fewer);
+    }
+  }
+  // The best by reduced laws, even where a member changes little: finite elements may say otherwise.
+  if (search.explains()) want(search.candidates.front().fit.explanation->effects());
+  for (const auto& candidate : search.candidates) {
+    const Effects& effects = candidate.fit.explanation->effects();
+    const bool helps = effects.size() == 1 && candidate.score > search.alone.score + worth_solving;
+    if (helps && !in_case(effects, problem.experiment).empty() && !wanted.count({effects.front()}) &&
+        !is_excluded(candidate))
+      want(effects);
+  }
+  return wanted;
+}
+
+}  // namespace asperity
