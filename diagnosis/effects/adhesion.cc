@@ -120,13 +120,13 @@ class Adhesion : public Effect {
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_force;
-    // In the limits of DMT and JKR the range of attraction is infinite and zero: no mesh has these.
-    constexpr double least = 0.05, most = 0.95;
-    EffectParameter transition{"transition", "",    "alpha, from DMT (0) to JKR (1)", least,
-                               most,         false, {least, 0.3, 0.6, most}};
-    if (!e.by_finite_elements) {
-      transition.low = 0, transition.high = 1, transition.bounds_are_meant = true;
-      transition.starts = {0, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95};
+    EffectParameter transition{
+        "transition", "", "alpha, from DMT (0) to JKR (1)", 0, 1, false, {0, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95}};
+    transition.bounds_are_meant = true;
+    if (e.by_finite_elements) {
+      constexpr double least = 0.05;  // in DMT's limit the range of attraction is infinite
+      transition.low = least;
+      transition.starts = {least, 0.3, 0.6, 0.95};
     }
     return {{"pull_off_force",
              "N",

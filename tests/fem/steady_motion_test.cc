@@ -5,6 +5,7 @@
 
 namespace {
 
+using namespace asperity;
 using namespace asperity::fem;
 
 constexpr double radius = 1e-5, contact_radius = 1e-7, resistance = 3e-13;  // [m], [m], [N m]
