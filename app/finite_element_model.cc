@@ -86,7 +86,8 @@ SimulatedBodies FiniteElementModel::bodies() const {
           given_of_interface("Adhesion range"),
           input_.interface.work_of_adhesion,
           input_.interface.attraction_force,
-          rms_of_generated(input_.substrate)};
+          rms_of_generated(input_.substrate),
+          input_.experiment.unload_steps};
 }
 
 Study FiniteElementModel::empty_study() const {

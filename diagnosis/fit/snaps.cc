@@ -35,6 +35,29 @@ class Run {
 
 }  // namespace
 
+namespace {
+
+/// On the other side of a snap, after which the simulated response is `other_side` more, and between.
+void forgive_between(const Sample& sample, double other_side, double& residual) {
+  if (!sample.counts || residual * other_side <= 0) return;
+  residual = other_side > 0 ? std::max(0.0, residual - other_side) : std::min(0.0, residual - other_side);
+}
+
+/// Samples whose displacement is nearer to the snap after sample i than a load step tells.
+void forgive_within_a_load_step(const Samples& samples, const SampleRun& run, std::size_t i, double snap,
+                                std::vector<double>& residual) {
+  if (run.response_is_displacement) return;
+  const auto place = [&](std::size_t at) { return samples.list[at].normal_displacement; };
+  const double here = 0.5 * (place(i) + place(i + 1));
+  const auto is_near = [&](std::size_t at) { return std::abs(place(at) - here) <= samples.snap_width; };
+  for (std::size_t at = i + 1; at-- > run.begin && is_near(at);)
+    forgive_between(samples.list[at], snap, residual[at]);
+  for (std::size_t at = i + 1; at < run.end && is_near(at); ++at)
+    forgive_between(samples.list[at], -snap, residual[at]);
+}
+
+}  // namespace
+
 void forgive_a_sample_at_snaps(const Samples& samples, const std::vector<double>& simulated,
                                std::vector<double>& residual) {
   for (const SampleRun& run : samples.runs) {
@@ -51,6 +74,7 @@ void forgive_a_sample_at_snaps(const Samples& samples, const std::vector<double>
       };
       take_nearer(i, -snap);
       take_nearer(i + 1, snap);
+      forgive_within_a_load_step(samples, run, i, snap, residual);
     }
   }
 }

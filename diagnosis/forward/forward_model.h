@@ -92,6 +92,7 @@ struct SimulatedBodies {
   double work_of_adhesion = 0;      ///< on approach [J/m^2]
   double attraction_force = 0;      ///< beyond the contact [N]
   double substrate_rms = 0;         ///< of a generated substrate [m]; 0: it is smooth or a scan
+  int unload_steps = 0;             ///< in which it is drawn back; 0: not known
 };
 
 /// A simulation that is solved anew for each set of changes.

@@ -10,6 +10,7 @@
 #include "diagnosis/choose/law_error.h"
 #include "diagnosis/mapping/effects_in_case.h"
 #include "diagnosis/mapping/judged_part.h"
+#include "diagnosis/mapping/recorded_contact.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
 
 namespace asperity {
@@ -53,18 +54,9 @@ double distance(const FitProblem& problem, const Samples& part, const ModelFit& 
 
 /// Half as far again as the contact was pressed, by the recording or, where that is more, by Hertz' law [m].
 double far_beyond_recorded(const FitProblem& problem) {
-  constexpr double far = 1.5, pressed = 0.02;  // of the largest force: in contact
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const auto& run : problem.samples.runs)
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      const Sample& s = problem.samples.list[i];
-      const double force = run.response_is_displacement ? s.normal_force : s.response;
-      if (!s.counts || force < pressed * problem.experiment.largest_force) continue;
-      const double displacement = run.response_is_displacement ? s.response : s.normal_displacement;
-      least = std::min(least, displacement);
-      most = std::max(most, displacement);
-    }
-  return far * std::max(problem.experiment.largest_displacement, most - least);
+  constexpr double far = 1.5;
+  return far *
+         std::max(problem.experiment.largest_displacement, recorded_in_contact(problem, Pressed::alone));
 }
 
 /// Displacement of the contact, without instruments, under a force on loading [m].

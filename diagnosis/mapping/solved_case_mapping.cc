@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/quantity.h"
+#include "diagnosis/mapping/recorded_contact.h"
 
 namespace asperity {
 namespace {
@@ -203,6 +204,8 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
     return;
   }
   protocols_ = protocols_of(problem.samples);
+  if (bodies.unload_steps > 0)
+    problem.samples.snap_width = 0.5 * recorded_in_contact(problem, Pressed::or_pulled) / bodies.unload_steps;
   const auto solved = solve(problem, {}, nullptr);
   before_ = solved.front().source;
   error_ = solved.front().displacement_error;

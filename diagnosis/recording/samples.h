@@ -49,6 +49,7 @@ struct Samples {
   std::vector<std::string> segment_names;
   std::vector<std::string> table_names, response_channels;
   int parts = 0;
+  double snap_width = 0;  ///< displacement by which a solved simulation may snap off earlier or later [m]
 };
 
 /// All tables of a recording, in their order.
