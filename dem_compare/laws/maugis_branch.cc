@@ -15,6 +15,22 @@ constexpr double largest_radius = 1e6, smallest_radius = 1e-4, step = 0.1;
 /// Pull-off force of DMT over pi w R.
 constexpr double of_dmt = 2;
 
+/// Radius of the disc of attraction below which surfaces that do not touch part, in Maugis' unit.
+double smallest_disc(double lambda) { return 8 * lambda / (3 * M_PI); }
+/// Of the attraction, h0 = w/s0, over Maugis' unit of approach.
+double range_over_approach(double lambda) { return 2 / (M_PI * lambda); }
+/// Radius of the disc of surfaces that just touch: c^2/2 + (4 lambda/3)(1 - 2/pi) c = h0, where a falls to 0.
+double disc_of_last_touch(double lambda) {
+  const double q = 4.0 / 3 * lambda * (1 - 2 / M_PI);
+  return std::sqrt(q * q + 2 * range_over_approach(lambda)) - q;
+}
+/// Radius of the disc over which surfaces that do not touch attract each other; 0 where they have parted.
+double disc_at(double lambda, double approach) {
+  const double edge = smallest_disc(lambda),
+               square = edge * edge + 2 * (range_over_approach(lambda) + approach);
+  return square < 0 ? 0 : edge + std::sqrt(square);
+}
+
 }  // namespace
 
 MaugisBranch::State MaugisBranch::at(double place) const {
@@ -50,7 +66,9 @@ MaugisBranch::MaugisBranch(double lambda) : lambda_(lambda) {
     states_.pop_back();
     states_.push_back(at(least(states_.back().place, to, [](const State& s) { return s.approach; })));
   }
-  release_ = states_.back().approach;
+  release_ = parting_ = states_.back().approach;
+  if (const double edge = smallest_disc(lambda); disc_of_last_touch(lambda) > edge)
+    parting_ = std::min(release_, -0.5 * edge * edge - range_over_approach(lambda));
   const auto lowest = std::min_element(states_.begin(), states_.end(),
                                        [](const State& a, const State& b) { return a.force < b.force; });
   tensest_ = static_cast<std::size_t>(lowest - states_.begin());
@@ -85,6 +103,12 @@ double MaugisBranch::force(double approach) const {
   if (states_.empty()) return approach * std::sqrt(approach) - of_dmt;
   if (approach > states_.front().approach) return approach * std::sqrt(approach);
   return at(place_of(approach, states_.size() - 1, [](const State& s) { return s.approach; })).force;
+}
+
+double MaugisBranch::force_apart(double approach) const {
+  if (lambda_ == 0) return -of_dmt;
+  const double c = disc_at(lambda_, approach);
+  return -0.5 * M_PI * lambda_ * c * c;
 }
 
 double MaugisBranch::approach(double force) const {

@@ -3,6 +3,10 @@
 //   Q a^2 + L a = 1,  Q = (lambda/2) [u + (m^2 - 2) t],  L = (4/3) lambda^2 (u t - m + 1)
 // gives the radius in closed form, and with it force and approach; u runs from 0, under large loads, to where
 // the contact breaks. Many states of one contact cost one table and a short search each.
+//
+// Below lambda = 0.938 the contact shrinks to nothing before it breaks, and surfaces that no longer touch
+// attract each other over a disc of radius c: f = -(pi lambda/2) c^2, delta = c^2/2 - (8 lambda/(3 pi)) c -
+// 2/(pi lambda), down to where d(delta)/dc = 0 (Maugis 1992).
 #pragma once
 
 #include <cstddef>
@@ -21,6 +25,11 @@ class MaugisBranch {
   double pull_off() const { return pull_off_; }
   /// Approach at which the contact breaks under fixed displacement, in Maugis' unit; not positive.
   double release() const { return release_; }
+  /// Approach at which the surfaces part, in Maugis' unit: release(), or beyond it where they still attract
+  /// each other once they no longer touch.
+  double parting() const { return parting_; }
+  /// Over pi w R [-], at an approach from parting() to release().
+  double force_apart(double approach) const;
   /// Over pi w R [-], at an approach above release().
   double force(double approach) const;
   /// In Maugis' unit; under a force above -pull_off(), over pi w R.
@@ -36,7 +45,7 @@ class MaugisBranch {
   template <class Value>
   double place_of(double target, std::size_t last, const Value& value) const;
 
-  double lambda_, pull_off_ = 0, release_ = 0;
+  double lambda_, pull_off_ = 0, release_ = 0, parting_ = 0;
   std::vector<State> states_;  ///< from the largest loads on, as the approach falls
   std::size_t tensest_ = 0;    ///< the one of least force
 };

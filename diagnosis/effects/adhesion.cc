@@ -49,6 +49,11 @@ class MaugisContact : public NormalContact {
       return std::numeric_limits<double>::quiet_NaN();
     return approach_ * branch_->approach(force / force_);
   }
+  double parting() const override { return approach_ * branch_->parting(); }
+  double held_force(double d) const override {
+    const double place = std::max(d, parting()) / approach_;
+    return force_ * (place < branch_->release() ? branch_->force_apart(place) : branch_->force(place));
+  }
   void accept(double d) override { touching_ = d >= (touching_ ? release() : 0); }
 
  private:

@@ -46,7 +46,7 @@ void forgive_between(const Sample& sample, double other_side, double& residual) 
 /// Samples whose displacement is nearer to the snap after sample i than a load step tells.
 void forgive_within_a_load_step(const Samples& samples, const SampleRun& run, std::size_t i, double snap,
                                 std::vector<double>& residual) {
-  if (run.response_is_displacement) return;
+  if (run.response_is_displacement || !(samples.snap_width > 0)) return;
   const auto place = [&](std::size_t at) { return samples.list[at].normal_displacement; };
   const double here = 0.5 * (place(i) + place(i + 1));
   const auto is_near = [&](std::size_t at) { return std::abs(place(at) - here) <= samples.snap_width; };

@@ -11,7 +11,7 @@ namespace {
 /// What a solution says beyond a reduced law: a force at a displacement, and where it opens.
 struct ForceDifference {
   std::vector<std::pair<double, double>> points;  ///< displacement [m], force [N]
-  double opens_later = 0;  ///< displacement at which it opens, minus that of the reduced law [m]
+  double opens_later = 0;  ///< displacement at which it parts, minus that of the reduced law [m]
 
   double at(double displacement) const {
     if (displacement <= points.front().first) return points.front().second;
@@ -25,11 +25,6 @@ struct ForceDifference {
   }
 };
 
-/// The reduced law of a contact that has not opened yet, also a little beyond where the law itself does.
-double held(const NormalContact& reduced, double displacement) {
-  return reduced.force(std::max(displacement, reduced.release()));
-}
-
 class SolvedAttraction : public NormalContact {
  public:
   SolvedAttraction(const NormalContact& reduced, std::shared_ptr<const ForceDifference> difference)
@@ -38,9 +33,9 @@ class SolvedAttraction : public NormalContact {
       : reduced_(other.reduced_->clone()), difference_(other.difference_), touches_(other.touches_) {}
   SolvedAttraction& operator=(const SolvedAttraction&) = delete;
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<SolvedAttraction>(*this); }
-  double release() const override { return std::min(0.0, reduced_->release() + difference_->opens_later); }
+  double release() const override { return std::min(0.0, reduced_->parting() + difference_->opens_later); }
   double force(double d) const override {
-    return d < (touches_ ? release() : 0.0) ? 0.0 : held(*reduced_, d) + difference_->at(d);
+    return d < (touches_ ? release() : 0.0) ? 0.0 : reduced_->held_force(d) + difference_->at(d);
   }
   void accept(double d) override {
     touches_ = d >= (touches_ ? release() : 0.0);
@@ -83,11 +78,11 @@ std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solv
   for (std::size_t i = 0; i < solved.force.size(); ++i) {
     const double d = solved.displacement[i];
     if (i > solved.peak && std::abs(solved.force[i]) < nothing) {
-      difference->opens_later = 0.5 * (last + d) - law->release();
+      difference->opens_later = 0.5 * (last + d) - law->parting();
       break;
     }
     last = d;
-    difference->points.emplace_back(d, solved.force[i] - held(*law, d));
+    difference->points.emplace_back(d, solved.force[i] - law->held_force(d));
   }
   std::stable_sort(difference->points.begin(), difference->points.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

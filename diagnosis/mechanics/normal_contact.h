@@ -27,6 +27,12 @@ class NormalContact {
   virtual void accept(double) {}
   /// Displacement below which there is no contact, whatever came before [m].
   virtual double release() const { return 0; }
+  /// Displacement at which surfaces that attract each other part: release(), or beyond it where they still do
+  /// once they no longer touch [m].
+  virtual double parting() const { return release(); }
+  /// Force of a contact that has not parted, at any displacement [N]: down to parting(), and what is there
+  /// beyond it.
+  virtual double held_force(double displacement) const { return force(std::max(displacement, release())); }
   /// Law without history and adhesion, from which others are made; null if this is another.
   virtual const Hertz* hertz() const { return nullptr; }
 };

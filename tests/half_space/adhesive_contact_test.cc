@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "dem_compare/laws/maugis_branch.h"
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "half_space/contact_shape.h"
 #include "surfaces/generate.h"
@@ -81,6 +82,28 @@ TEST(AdhesiveHalfSpace_analytic, approach_stiffness_and_pull_off_are_those_of_Ma
     EXPECT_TRUE(verified("approach under 10 uN").below(errors.approach, 2e-3));
     EXPECT_TRUE(verified("stiffness under 10 uN").below(errors.stiffness, 0.01));
     EXPECT_TRUE(verified("pull-off force").below(errors.pull_off, c.most));
+  }
+}
+
+TEST(MaugisBranch_other_code, surfaces_that_no_longer_touch_attract_as_half_spaces_do) {
+  const double work = 0.1, range = 1.3e-9, K = 4.0 / 3 * reduced;
+  const MaugisBranch branch(MaugisDugdale{reduced, radius, work, work / range}.lambda());
+  const double unit = std::cbrt(M_PI * M_PI * work * work * radius / (K * K)), force = M_PI * work * radius;
+  const auto sharp = [=](double gap) {
+    return work / range * std::clamp((1.02 * range - gap) / (0.04 * range), 0.0, 1.0);
+  };
+  const NormalContact contact = paraboloid_of(256, 250e-9);
+  const AdhesiveContact adhesive(contact, {sharp, sharp, 1.02 * range});
+  AdhesiveSolution solution = adhesive.at_force(1e-6);
+  for (const double share : {0.1, 0.5, 0.85}) {
+    const double place = branch.release() + share * (branch.parting() - branch.release());
+    solution = adhesive.separated(solution, unit * place);
+    EXPECT_EQ(solution.contact.force, 0) << share;
+    const Verified verified{"Laws",
+                            "Maugis after the last touch, lambda 0.27, a part of " +
+                                std::to_string(share).substr(0, 4) + " on to parting: force",
+                            "half-spaces"};
+    EXPECT_TRUE(verified.within(solution.force / force, branch.force_apart(place), 0.03)) << share;
   }
 }
 

@@ -355,6 +355,28 @@ TEST(MaugisBranch_other_code, breaks_where_JKR_does_in_its_limit) {
   EXPECT_NEAR(branch.force(branch.release()), -5.0 / 6, 0.01);
 }
 
+TEST(MaugisBranch_analytic, attracts_on_beyond_its_last_touch_where_that_is_no_jump) {
+  // Force and approach go on where the contact has shrunk to nothing, and the surfaces part where the
+  // approach has its minimum: at a disc of radius 8 lambda/(3 pi) (Maugis 1992).
+  for (const double lambda : {0.1, 0.3, 0.6, 0.9}) {
+    const MaugisBranch branch(lambda);
+    EXPECT_LT(branch.parting(), branch.release()) << lambda;
+    EXPECT_NEAR(branch.force_apart(branch.release()), branch.force(branch.release() + 1e-9), 2e-3) << lambda;
+    const double disc = 8 * lambda / (3 * M_PI);
+    EXPECT_NEAR(branch.force_apart(branch.parting()), -M_PI * lambda / 2 * disc * disc, 1e-6) << lambda;
+  }
+  for (const double lambda : {0.95, 1.5, 5.0})
+    EXPECT_EQ(MaugisBranch(lambda).parting(), MaugisBranch(lambda).release()) << lambda;
+}
+
+TEST(MaugisBranch_analytic, attraction_of_a_long_range_falls_with_the_gap_as_Derjaguin_has_it) {
+  // 2 pi R times the work that is left (1934): of stiff bodies, w (1 - g/h0).
+  const double lambda = 0.01, range = 2 / (M_PI * lambda);
+  const MaugisBranch branch(lambda);
+  for (const double share : {0.1, 0.5, 0.9})
+    EXPECT_NEAR(branch.force_apart(-share * range), -2 * (1 - share), 0.01) << share;
+}
+
 TEST(MaugisBranch_analytic, is_DMT_without_range) {
   const MaugisBranch branch(0), nearly(1e-10);
   for (const double approach : {0.1, 1.0, 30.0}) {
