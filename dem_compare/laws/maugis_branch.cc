@@ -24,11 +24,11 @@ double disc_of_last_touch(double lambda) {
   const double q = 4.0 / 3 * lambda * (1 - 2 / M_PI);
   return std::sqrt(q * q + 2 * range_over_approach(lambda)) - q;
 }
-/// Radius of the disc over which surfaces that do not touch attract each other; 0 where they have parted.
+/// Radius of the disc over which surfaces that do not touch attract each other, down to where they part.
 double disc_at(double lambda, double approach) {
   const double edge = smallest_disc(lambda),
                square = edge * edge + 2 * (range_over_approach(lambda) + approach);
-  return square < 0 ? 0 : edge + std::sqrt(square);
+  return edge + std::sqrt(std::max(0.0, square));
 }
 
 }  // namespace

@@ -72,9 +72,9 @@ void forgive_a_sample_at_snaps(const Samples& samples, const std::vector<double>
         if (samples.list[at].counts && std::abs(residual[at] + to_other_side) < std::abs(residual[at]))
           residual[at] += to_other_side;
       };
+      forgive_within_a_load_step(samples, run, i, snap, residual);
       take_nearer(i, -snap);
       take_nearer(i + 1, snap);
-      forgive_within_a_load_step(samples, run, i, snap, residual);
     }
   }
 }
