@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/case_file.h"
+#include "core/attraction_zone.h"
 #include "core/error.h"
 #include "core/hertz.h"
 #include "core/printed.h"
@@ -192,10 +193,10 @@ std::string rung_text(const Rung& rung) {
 /// they do.
 std::string unresolved_attraction(const CharacteriseRequest& request, const CharacterisePlan& plan) {
   if (!request.adhesion) return "";
-  constexpr double cells = 3;  // fem/case/derived_spacing.h
+  constexpr double cells = cells_over_attraction_zone;
   const auto [work, range] = *request.adhesion;
   // The exponential law's stress at contact is w / range.
-  const double zone = M_PI * smooth_contact(request).reduced_modulus * range * range / (4 * work);
+  const double zone = attraction_zone(smooth_contact(request).reduced_modulus, work, work / range);
   if (zone >= cells * plan.spacing) return "";
   return "attraction over " + format_quantity(range, Dimension::length) + " acts in a zone of " +
          format_quantity(zone, Dimension::length) +

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/attraction_zone.h"
 #include "core/error.h"
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
@@ -169,8 +170,7 @@ double derived_spacing(const CaseInput& input, const std::optional<Attraction>& 
 }
 
 double attraction_zone(const CaseInput& input, const Attraction& attraction) {
-  const double stress = attraction.opening(0);
-  return M_PI * hertz_of(input).reduced_modulus * attraction.work / (4 * stress * stress);
+  return asperity::attraction_zone(hertz_of(input).reduced_modulus, attraction.work, attraction.opening(0));
 }
 
 double derived_half_width(const CaseInput& input, const std::optional<Attraction>& attraction) {

@@ -60,9 +60,8 @@ ShearCompliance shear_compliance(const CaseInput& input);
 /// Of both surfaces [m]; infinite where both are smooth.
 double shortest_wave(const CaseInput& input);
 
-/// Width of the zone at the edge of a contact in which the attraction s acts, pi E* w / (4 s^2) (Dugdale
-/// 1960; Maugis 1992) [m]. Grids of cells wider than half of it do not tell adhesion: the edge sticks to
-/// them.
+/// Width of the zone at the edge of a contact in which the attraction acts (core/attraction_zone.h) [m].
+/// Grids of cells wider than half of it do not tell adhesion: the edge sticks to them.
 double attraction_zone(const CaseInput& input, const Attraction& attraction);
 
 /// Cells that a contact needs: 24 over Hertz' radius, 16 over the shortest wave of either surface, with which

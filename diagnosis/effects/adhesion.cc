@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/attraction_zone.h"
 #include "dem_compare/laws/maugis_branch.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/mechanics/contact_on_law.h"
@@ -76,9 +77,6 @@ class AttractedContact : public ContactOnLaw {
   double pull_off_;
 };
 
-// With fewer cells over the zone in which Dugdale's attraction acts, pi E* h0^2 / (4 w), the pull-off force
-// is too large (fem/case/derived_spacing.h).
-constexpr double cells_per_zone = 3;
 constexpr const char* mesh_entry = "Mesh/Interface spacing";
 
 /// alpha, or where its zone takes more than thirty cells over the radius of the pressed contact, that of the
@@ -92,13 +90,13 @@ double resolvable_alpha(const Experiment& e, double pull_off, double alpha) {
   const double unit = std::cbrt(0.75 * h * e.radius / (of_pi_w_R * e.reduced_modulus()));
   double finest = radius / cells_per_radius;
   if (e.case_spacing > 0) finest = std::min(finest, e.case_spacing);
-  return std::min(alpha, alpha_of(std::sqrt(0.75 * unit / (cells_per_zone * finest))));
+  return std::min(alpha, alpha_of(std::sqrt(0.75 * unit / (cells_over_attraction_zone * finest))));
 }
 
 /// Spacing of the case's mesh, or of one that is finer by a power of the root of two and resolves the zone
 /// [m].
 double resolving_spacing(const Experiment& e, double work, double range) {
-  const double enough = M_PI * e.reduced_modulus() * range * range / (4 * work) / cells_per_zone;
+  const double enough = attraction_zone(e.reduced_modulus(), work, work / range) / cells_over_attraction_zone;
   double spacing = e.case_spacing;
   while (spacing > enough) spacing /= M_SQRT2;
   return spacing;

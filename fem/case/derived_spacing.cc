@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/attraction_zone.h"
 #include "core/error.h"
 #include "core/quantity.h"
 #include "fem/case/contact_path.h"
@@ -11,7 +12,7 @@
 namespace asperity::fem {
 namespace {
 
-constexpr double cells_per_radius = 12, cells_per_wave = 4, cells_per_zone = 3;
+constexpr double cells_per_radius = 12, cells_per_wave = 4;
 
 std::string length_text(double value, int digits = 3) {
   return format_quantity(value, Dimension::length, digits);
@@ -28,7 +29,7 @@ double shortest_wave(const CaseSetup& setup) {
 
 double derived_spacing(const CaseSetup& setup) {
   return std::min({setup.hertz_radius / cells_per_radius, shortest_wave(setup) / cells_per_wave,
-                   setup.attraction.zone / cells_per_zone});
+                   setup.attraction.zone / cells_over_attraction_zone});
 }
 
 void require_affordable(const CaseInput& input, const CaseSetup& setup) {
@@ -36,7 +37,7 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
   const double unknowns = estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers);
   const double spacing = setup.system.mesh.sizes.spacing_particle, wave = shortest_wave(setup);
   const bool by_waves = std::isfinite(wave) && spacing >= wave / cells_per_wave;
-  const bool by_zone = !by_waves && spacing >= setup.attraction.zone / cells_per_zone;
+  const bool by_zone = !by_waves && spacing >= setup.attraction.zone / cells_over_attraction_zone;
   if (unknowns <= most_unknowns || (!by_waves && !by_zone)) return;
   const double affordable = spacing * std::sqrt(unknowns / most_unknowns);
   const std::string cells = ", which take cells of " + length_text(spacing) + " and some " +
@@ -71,7 +72,7 @@ std::string resolution_text(const MeshedRoughness& roughness, const std::string&
 
 std::string attraction_text(const CaseSetup& setup) {
   const double spacing = setup.system.mesh.sizes.spacing_particle;
-  const double enough = setup.attraction.zone / cells_per_zone;
+  const double enough = setup.attraction.zone / cells_over_attraction_zone;
   constexpr double rounding = 1.01;
   if (!setup.attraction.acts() || spacing <= rounding * enough) return "";
   return "attraction: " + number_text(setup.attraction.zone / spacing) + " cells over the zone of " +

@@ -19,7 +19,7 @@ std::optional<half_space::Attraction> surface_attraction(const InterfaceInput& i
 
 /// Of an attraction whose stress at contact is s and whose work of adhesion is w.
 struct AttractionScales {
-  /// Of the zone at the edge of a contact in which it acts, pi E* w/(4 s^2) (Dugdale 1960; Maugis 1992) [m].
+  /// Of the zone at the edge of a contact in which it acts (core/attraction_zone.h) [m].
   double zone = std::numeric_limits<double>::infinity();
   double length = 0;  ///< w/s, over which it falls with the gap [m]
 

@@ -49,6 +49,26 @@ TEST(CharacteriseCommand_behaviour, says_before_it_solves_what_it_will_do_and_no
     EXPECT_NE(planned.output.find(said), std::string::npos) << said << "\n" << planned.output;
 }
 
+TEST(CharacteriseCommand_behaviour, says_where_the_planned_cells_do_not_resolve_the_attraction) {
+  const TemporaryFolder folder;
+  const std::string scan = scan_in(folder), said = "acts in a zone of ", remedy = "; a range of ";
+  const auto planned = [&](const std::string& range) {
+    const Outcome plan = call(command(scan, "--plan --quick --adhesion '77 mJ/m^2, " + range + "'"));
+    EXPECT_EQ(plan.status, 0) << plan.output;
+    return plan.output;
+  };
+  EXPECT_EQ(planned("1 nm").find(said), std::string::npos);
+  const std::string text = planned("0.1 nm");
+  // pi E* h0^2 / (4 w), E* 52.87 GPa.
+  EXPECT_NE(text.find(said + "5.39 nm"), std::string::npos) << text;
+  const std::size_t begin = text.find(remedy) + remedy.size();
+  EXPECT_EQ(
+      planned(std::to_string(1.05 * std::stod(text.substr(begin))) + text.substr(text.find(' ', begin), 3))
+          .find(said),
+      std::string::npos)
+      << text;
+}
+
 TEST(CharacteriseCommand_behaviour,
      more_time_buys_more_loads_and_realisations_and_known_friction_fewer_cases) {
   const TemporaryFolder folder;
