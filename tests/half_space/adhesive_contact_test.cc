@@ -99,7 +99,7 @@ TEST(MaugisBranch_other_code, surfaces_that_no_longer_touch_attract_as_half_spac
     const double place = branch.release() + share * (branch.parting() - branch.release());
     solution = adhesive.separated(solution, unit * place);
     EXPECT_EQ(solution.contact.force, 0) << share;
-    const Verified verified{"Laws",
+    const Verified verified{"Reduced laws",
                             "Maugis after the last touch, lambda 0.27, a part of " +
                                 std::to_string(share).substr(0, 4) + " on to parting: force",
                             "half-spaces"};
