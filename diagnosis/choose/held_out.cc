@@ -89,11 +89,11 @@ HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const B
       if (fit.covariance.size() > 0 && moves_too_far(parameters[k], fit.values[k], without.values[k], sd))
         result.consistent = false;
     }
-    const auto simulated = simulated_on_likely_surface(problem, without, rest);
-    for (std::size_t i = 0; i < simulated.size(); ++i) {
-      const Sample& s = problem.samples.list[i];
-      if (!s.counts || blocks.of_sample[i] != block) continue;
-      const double r = (s.response - simulated[i]) / problem.noise.sd[i];
+    const auto residual =
+        FitProblem::residual(problem.samples, simulated_on_likely_surface(problem, without, rest));
+    for (std::size_t i = 0; i < residual.size(); ++i) {
+      if (!problem.samples.list[i].counts || blocks.of_sample[i] != block) continue;
+      const double r = residual[i] / problem.noise.sd[i];
       sum += r * r;
       cost += huber_cost(r);
       ++count;

@@ -21,7 +21,7 @@ struct Blocks {
 };
 Blocks blocks_of(const Samples& samples);
 
-/// Fits without each block and predicts it.
+/// Fits without each block and predicts it. Samples at a snap count as in fits (FitProblem::residual()).
 HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const Blocks& blocks);
 
 }  // namespace asperity

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "tests/diagnosis/support/made_recording.h"
@@ -97,6 +99,37 @@ TEST(HeldOut_analytic, an_effect_that_one_block_alone_shows_is_not_consistent) {
   };
   EXPECT_FALSE(is_consistent([](int block) { return block == 2 ? 10 : 0; }));
   EXPECT_TRUE(is_consistent([](int) { return 10; }));
+}
+
+TEST(HeldOut_analytic, a_sample_that_snaps_late_is_predicted_as_fits_count_it) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  problem.samples = test::approach_and_back(-20 * test::nm, 60 * test::nm, 60);
+  problem.samples.response_channels = {"normal_force"};
+  const Effect& adhesion = effect_of("adhesion");
+  const std::vector<double> values{2e-4, 0.6};  // pull-off force [N], transition
+  Mechanics truth = baseline_mechanics(problem.experiment, problem.choice);
+  adhesion.assemble(truth, values.data());
+  auto response = simulate(truth, problem.samples);
+  // The contact is there for one more sample than it should be.
+  const auto snap =
+      static_cast<std::size_t>(std::find(response.begin() + 60, response.end(), 0.0) - response.begin());
+  ASSERT_LT(snap, response.size());
+  ASSERT_LT(response[snap - 1], -1e-4);
+  response[snap] = response[snap - 1];
+  const double noise = 1e-6;
+  for (std::size_t i = 0; i < response.size(); ++i) problem.samples.list[i].response = response[i];
+  problem.noise.sd.assign(response.size(), noise);
+  problem.noise.shared.assign(1, {});
+  problem.thin = problem.samples;
+  ModelFit fit = fit_explanation(problem, {});
+  const Blocks blocks = blocks_of(problem.samples);
+  const HeldOut without_attraction = predict_held_out(problem, fit, blocks);
+  fit.explanation = std::make_shared<Explanation>(problem.experiment, problem.choice,
+                                                  std::vector<const Effect*>{&adhesion}, nullptr);
+  fit.values = values;
+  EXPECT_LT(predict_held_out(problem, fit, blocks).chi2_reduced, 0.1);
+  EXPECT_GT(without_attraction.chi2_reduced, 100);
 }
 
 }  // namespace
