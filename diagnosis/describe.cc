@@ -238,6 +238,9 @@ std::string what_is_left(const Diagnosis& d) {
     return d.simulation.by_finite_elements
                ? ", more than noise, but no more than mesh and laws of this kind are off by."
                : ", more than noise, but no more than laws of this kind are off by.";
+  constexpr double clearly_more = 2;  // than the largest that noise leaves
+  if (d.improved.held_out_chi2_reduced >= clearly_more * largest_of_noise)
+    return ", which is noise where it was fitted and more than noise where it was not.";
   return ", which is noise.";
 }
 
@@ -254,7 +257,8 @@ std::string in_words(const Diagnosis& d) {
              std::string(d.rows_are_points_of_a_curve ? "far less than noise would leave" : "noise") +
              ". Nothing was left out that these data can show.";
     case Verdict::explained:
-      return "The simulation left out " + titles(d.left_out) + ". With it " + numbers + what_is_left(d);
+      return "The simulation left out " + titles(d.left_out) +
+             (d.left_out.size() > 1 ? ". With them " : ". With it ") + numbers + what_is_left(d);
     case Verdict::partly_explained:
       return "The simulation left out " + titles(d.left_out) + ", and something more. With what is named " +
              numbers + "; structure remains.";
