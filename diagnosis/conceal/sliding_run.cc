@@ -17,7 +17,8 @@ SlidingRun::SlidingRun(const World& world, const SlidingProgram& program, double
       load_(load),
       events_(seed) {
   const ElasticBody sphere{71e9, 0.17}, plane{179e9, 0.25};
-  radius_ = Sphere{reduced_modulus(sphere, plane), 8.5e-6}.contact_radius_at_force(load);
+  radius_ = Sphere{reduced_modulus(sphere, plane), 8.5e-6}.contact_radius_at_force(
+      load + of("adhesion_offset", "adhesion_force"));  // Derjaguin, Muller & Toporov 1975
   stiffness_ = 8 * reduced_shear_modulus(sphere, plane) * radius_;
   if (has("partial_slip")) masing_ = MasingContact(stiffness_, limit(0, 0, 0, 0));
   next_event();

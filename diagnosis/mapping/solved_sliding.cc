@@ -245,9 +245,11 @@ std::shared_ptr<const BranchCorrection> friction_difference_to(const std::vector
       if (!(slide.lateral_stiffness > 0)) continue;
       difference->relative_stiffness_error = std::max(
           difference->relative_stiffness_error, slide.lateral_stiffness_error / slide.lateral_stiffness);
-      factors.stiffness.add(
-          slide.normal_force,
-          slide.lateral_stiffness / lateral_stiffness(reduced.experiment, slide.normal_force));
+      Sample sample;
+      sample.normal_force = slide.normal_force;
+      const double pressed = slide.normal_force + offset_at(reduced.lateral, sample);
+      factors.stiffness.add(slide.normal_force,
+                            slide.lateral_stiffness / lateral_stiffness(reduced.experiment, pressed));
     }
     difference->surfaces.push_back(std::move(factors));
   }

@@ -16,6 +16,8 @@ constexpr std::size_t most_survivors = 3;
 /// Log evidence by which another must be better for a set not to be solved, by reduced laws and what they may
 /// be off by.
 constexpr double excluded_by_law = 50;
+/// Log evidence within which reduced laws, and the mesh's error that they are corrected with, do not tell.
+constexpr double undecided = 8;
 
 /// Null: none of these effects.
 const Candidate* candidate_of(const SearchResult& search, const Effects& effects) {
@@ -55,6 +57,19 @@ std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
       const Candidate* candidate = candidate_of(search, fewer);
       if (in_case(fewer, problem.experiment).empty() || wanted.count({fewer.begin(), fewer.end()})) continue;
       if (!candidate || !is_excluded(*candidate)) want(fewer);
+    }
+  }
+  // The same beside another value of what the case states: the mesh's error may hide it until both are
+  // solved.
+  const std::set<std::set<const Effect*>> surviving = wanted;
+  for (const Candidate& candidate : search.candidates) {
+    if (candidate.score < search.candidates.front().score - undecided) continue;
+    const Effects& effects = candidate.fit.explanation->effects();
+    for (const Effect* value : effects) {
+      if (!value->is_another_value()) continue;
+      std::set<const Effect*> others(effects.begin(), effects.end());
+      others.erase(value);
+      if (surviving.count(others)) want(effects);
     }
   }
   // The best by reduced laws, even where a member changes little: finite elements may say otherwise.

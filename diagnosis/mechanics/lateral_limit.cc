@@ -38,6 +38,11 @@ double hertz_radius(const Mechanics& mechanics, const Sample& sample) {
   return contact_radius(mechanics.geometry.reduced_modulus, sample.radius, sample.normal_force);
 }
 
+double attracted_radius(const Mechanics& mechanics, const Sample& sample) {
+  const double h = mechanics.experiment.mode == Motion::sliding ? offset_at(mechanics.lateral, sample) : 0;
+  return contact_radius(mechanics.geometry.reduced_modulus, sample.radius, sample.normal_force + h);
+}
+
 double lateral_limit(const Mechanics& mechanics, const Sample& sample, double coefficient,
                      bool at_substrate) {
   const LateralMechanics& lateral = mechanics.lateral;
@@ -60,8 +65,7 @@ double lateral_limit(const Mechanics& mechanics, const Sample& sample, double co
       break;
   }
   if (lateral.follows_area) {
-    const double a =
-        contact_radius(mechanics.geometry.reduced_modulus, sample.radius, sample.normal_force + offset);
+    const double a = attracted_radius(mechanics, sample);
     return coefficient * M_PI * a * a;
   }
   return coefficient * (sample.normal_force + offset);

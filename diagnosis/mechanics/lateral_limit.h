@@ -16,5 +16,8 @@ namespace asperity {
 double lateral_limit(const Mechanics& mechanics, const Sample& sample, double coefficient, bool at_substrate);
 /// a of the particle's contact with the substrate (sliding, torsion) under the sample's normal force.
 double hertz_radius(const Mechanics& mechanics, const Sample& sample);
+/// The same under the force that presses the bodies together in sliding: the normal force and, with it, an
+/// attraction h (Derjaguin, Muller & Toporov 1975); in other modes hertz_radius().
+double attracted_radius(const Mechanics& mechanics, const Sample& sample);
 
 }  // namespace asperity

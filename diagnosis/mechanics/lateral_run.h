@@ -71,7 +71,7 @@ class LateralRun {
     SlipState state;
     state.sample = &sample;
     state.normal_force = sample.normal_force;
-    state.contact_radius = hertz_radius(mechanics_, sample);
+    state.contact_radius = attracted_radius(mechanics_, sample);
     state.slip = slip_;
     state.speed = sample.speed;
     state.time_step = time_step;

@@ -26,7 +26,7 @@ namespace asperity {
 struct SlipState {
   const Sample* sample = nullptr;
   double normal_force = 0;    ///< f_n [N]
-  double contact_radius = 0;  ///< a by Hertz [m]
+  double contact_radius = 0;  ///< a by Hertz, in sliding under load and attraction [m]
   double slip = 0;            ///< path slipped since the last reversal [m]
   double path = 0;  ///< recorded path since sliding began after the last reversal, elastic parts included [m]
   double speed = 0;      ///< [m/s]
