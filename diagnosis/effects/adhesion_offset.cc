@@ -16,7 +16,8 @@ class AdhesionOffset : public Effect {
         "Offset of sliding friction by adhesion",
         "|f_l| <= mu (f_n + h)",
         "Derjaguin 1934; Fuchs, Weinhart et al. 2014, eq. (yield1)",
-        "Friction does not vanish with the load: attraction acts like an additional normal force.",
+        "Friction does not vanish with the load: attraction acts like an additional normal force, in "
+        "sliding on the radius of the contact too (Derjaguin, Muller & Toporov 1975).",
         EffectKind::contact,
         {Motion::sliding, Motion::torsion}};
     return d;

@@ -9,6 +9,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/printed.h"
+#include "core/shear_moduli.h"
 #include "diagnosis/challenge/challenge.h"
 #include "diagnosis/challenge/nominal_case.h"
 #include "diagnosis/conceal/other_code_truth.h"
@@ -188,6 +189,26 @@ TEST(ConcealedTruth_analytic, a_contact_that_slips_partly_ends_at_the_friction_t
   }
   ASSERT_EQ(largest.size(), 2u);
   for (const auto& [load, force] : largest) EXPECT_NEAR(force / (mu * (load + attraction)), 1, 1e-9) << load;
+}
+
+TEST(ConcealedTruth_analytic, a_contact_that_attracts_begins_to_slip_with_the_stiffness_under_both_forces) {
+  const ConcealedRecording hidden =
+      conceal(ConcealOptions{Motion::sliding, {"adhesion_offset", "partial_slip"}, 0, 4, ""});
+  const RecordingTable& table = hidden.recording.tables[0];
+  const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
+  const Hertz hertz{reduced_modulus(glass, silicon), 8.5e-6};
+  const double mu = hidden.truth.coefficients.at("sliding_friction");
+  double attraction = 0;
+  for (const auto& effect : hidden.truth.effects)
+    if (effect.id == "adhesion_offset") attraction = effect.parameters.at("adhesion_force").value;
+  // The first sample of the first run, by Mindlin (1949) from rest.
+  const double pressed = table.column("normal_force")[0] + attraction,
+               gross = 3 * mu * pressed /
+                       (16 * reduced_shear_modulus(glass, silicon) * hertz.contact_radius(pressed)),
+               x = table.column("lateral_displacement")[0];
+  ASSERT_LT(x, gross);
+  EXPECT_NEAR(table.column("lateral_force")[0] / (mu * pressed * (1 - std::pow(1 - x / gross, 1.5))), 1,
+              1e-6);
 }
 
 TEST(ConcealedRecording_behaviour, by_another_code_asks_for_an_effect_that_one_has) {

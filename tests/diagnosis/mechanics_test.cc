@@ -388,6 +388,18 @@ TEST(Mechanics_analytic, partial_slip_from_rest_is_mindlins_curve) {
   EXPECT_NEAR(f.back(), 0.2 * load * (1 - std::pow(1 - x / gross, 1.5)), 0.001 * 0.2 * load);
 }
 
+TEST(Mechanics_analytic, a_contact_that_attracts_slips_partly_as_one_under_load_and_attraction) {
+  // Derjaguin, Muller & Toporov (1975): the contact is Hertz's under both, and so is Mindlin's stiffness.
+  const Experiment e = experiment(Motion::sliding);
+  const double load = 1e-3, attraction = 5e-4, x = 1.5 * nm;
+  const auto path = [&](double force) { return lateral_path(force, {0, x, -x}, 51); };
+  const auto attracted =
+      simulate(with(e, {{"partial_slip", {}}, {"adhesion_offset", {attraction}}}), path(load));
+  const auto pressed = simulate(with(e, {{"partial_slip", {}}}), path(load + attraction));
+  ASSERT_EQ(attracted.size(), pressed.size());
+  for (std::size_t i = 0; i < pressed.size(); ++i) EXPECT_NEAR(attracted[i], pressed[i], 1e-9 * load) << i;
+}
+
 TEST(Mechanics_analytic, rolling_resistance_is_mu_times_load_with_an_offset) {
   const Experiment e = experiment(Motion::rolling);
   EXPECT_NEAR(simulate(with(e, {}, 5e-4), row(e, 2e-3))[0], 1e-6, 1e-15);
