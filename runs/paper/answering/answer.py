@@ -16,7 +16,13 @@ class Answer:
     told_apart_by: str = ""  # the experiment; empty: none is needed
 
     def markdown(self, folder):
-        lines = ["## " + self.question, "", "**" + self.verdict[0].upper() + self.verdict[1:] + ".** " + self.said[0], *self.said[1:], ""]
+        lines = [
+            "## " + self.question,
+            "",
+            "**" + self.verdict[0].upper() + self.verdict[1:] + ".** " + self.said[0],
+            *self.said[1:],
+            "",
+        ]
         if self.rows:
             lines += ["| " + " | ".join(self.head) + " |", "|" + " --- |" * len(self.head)]
             lines += ["| " + " | ".join(row) + " |" for row in self.rows] + [""]

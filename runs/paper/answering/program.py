@@ -17,25 +17,53 @@ def run(*arguments):
 
 def diagnosed(asperity, recording, case, folder, minutes):
     """diagnosis.json of a recording set against a case; solutions that `folder` holds are used again."""
-    run(asperity, "diagnose", PAPER / "recordings" / recording, "--case", PAPER / case, "--output", folder, "--minutes", minutes)
+    run(
+        asperity,
+        "diagnose",
+        PAPER / "recordings" / recording,
+        "--case",
+        PAPER / case,
+        "--output",
+        folder,
+        "--minutes",
+        minutes,
+    )
     return json.loads((folder / "diagnosis.json").read_text())
 
 
 def studied(asperity, study, folder):
     """Solved cases of a study: (values of its axes, effective values), only those that are done."""
-    run(asperity, "study", PAPER / study, "--output", folder, *(["--resume"] if (folder / "study.json").exists() else []))
+    run(
+        asperity,
+        "study",
+        PAPER / study,
+        "--output",
+        folder,
+        *(["--resume"] if (folder / "study.json").exists() else [])
+    )
     cases = json.loads((folder / "study.json").read_text())["cases"]
     return [(case["values"], case["effective"]) for case in cases if case["state"] == "done"]
 
 
 def previewed(asperity, study, folder, realisations):
-    """Cells of a study over many realisations by half-spaces: previews.json; solved cases in the folder correct their means."""
-    run(asperity, "study", PAPER / study, "--preview", "--output", folder, "--set", "Study/Realisations={}".format(realisations))
+    """Cells of a study over many realisations by half-spaces: previews.json; solved cases in the folder
+    correct their means."""
+    run(
+        asperity,
+        "study",
+        PAPER / study,
+        "--preview",
+        "--output",
+        folder,
+        "--set",
+        "Study/Realisations={}".format(realisations),
+    )
     return json.loads((folder / "previews.json").read_text())
 
 
 def table(path):
-    """Rows of a CSV file, without its comments; numbers of columns with a unit in the unit that the column says."""
+    """Rows of a CSV file, without its comments; numbers of columns with a unit in the unit that the column
+    says."""
     with open(path, encoding="utf-8") as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
@@ -52,11 +80,11 @@ def mean_and_error(values):
 
 
 def length(text):
-    """"1.5 um" in metres."""
+    """ "1.5 um" in metres."""
     number, unit = text.split()
     return float(number) * {"nm": 1e-9, "um": 1e-6, "pm": 1e-12}[unit]
 
 
 def number(text):
-    """"60 mJ/m^2" as the number 60."""
+    """ "60 mJ/m^2" as the number 60."""
     return float(text.split()[0])

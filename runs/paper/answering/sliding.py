@@ -4,7 +4,8 @@ from answering import chart, program, pull_off
 from answering.answer import Answer, interval
 
 RECORDING = "sliding_three_wafers"
-# Roll-off of the wafers' spectrum: what the pull-off forces leave, which the answer is of, and what the studies of motion took.
+# Roll-off of the wafers' spectrum: what the pull-off forces leave, which the answer is of, and what the
+# studies of motion took.
 OF_PULL_OFF, OF_THE_STUDIES = "1.5 um", "200 nm"
 CASES = {OF_PULL_OFF: "wafers_of_long_waves.prm", OF_THE_STUDIES: "wafer_etched_1600.prm"}
 
@@ -13,7 +14,13 @@ def points(folder, state):
     """(rms [nm], load [uN], recorded, its sd, simulated [uN]) of the way forward."""
     rows = [row for row in program.table(folder / (state + ".csv")) if row["segment"] == "forward"]
     keys = ("normal_force [N]", "lateral_force [N]", "lateral_force_sd [N]", "simulated_lateral_force [N]")
-    return [(round(float(row["rms_roughness [m]"]) / program.NANO, 3), *(float(row[key]) / program.MICRO for key in keys)) for row in rows]
+    return [
+        (
+            round(float(row["rms_roughness [m]"]) / program.NANO, 3),
+            *(float(row[key]) / program.MICRO for key in keys),
+        )
+        for row in rows
+    ]
 
 
 def figure(folder):
@@ -29,11 +36,15 @@ def figure(folder):
 
 
 def local_friction(said):
-    """Of each surface: what was found, at the wafers' RMS [nm]; none where friction by roughness was not left out."""
+    """Of each surface: what was found, at the wafers' RMS [nm]; none where friction by roughness was not
+    left out."""
     for effect in said["left_out"]:
         if effect["effect"] == "friction_by_roughness":
             b, c = (effect["parameters"][name]["value"] for name in ("smooth_friction", "slope"))
-            return ", ".join("{:.2f}".format(b + c * float(row["rms [nm]"]) * program.NANO) for row in program.published("surfaces.csv"))
+            return ", ".join(
+                "{:.2f}".format(b + c * float(row["rms [nm]"]) * program.NANO)
+                for row in program.published("surfaces.csv")
+            )
     return "-"
 
 
@@ -43,7 +54,10 @@ def work_of_adhesion(said):
 
 
 def diagnoses(asperity, folder, minutes):
-    return {rolloff: program.diagnosed(asperity, RECORDING, case, folder / rolloff.replace(" ", "_"), minutes) for rolloff, case in CASES.items()}
+    return {
+        rolloff: program.diagnosed(asperity, RECORDING, case, folder / rolloff.replace(" ", "_"), minutes)
+        for rolloff, case in CASES.items()
+    }
 
 
 def answer(asperity, folder, minutes):
@@ -52,26 +66,76 @@ def answer(asperity, folder, minutes):
     said, shorter = (all_of[which] for which in (OF_PULL_OFF, OF_THE_STUDIES))
     before, after = said["baseline"], said["improved"]
     names = " and ".join("`{}`".format(effect["effect"]) for effect in said["left_out"])
-    sentences = ["The case slides each wafer at three of its loads, with one spectrum scaled to each RMS roughness, a local friction of 0.3 and nothing that attracts; it parts from the three "
-                 "lines with chi-square {:.3g} a row.".format(before["chi2_reduced"])]
+    sentences = [
+        "The case slides each wafer at three of its loads, with one spectrum scaled to each RMS roughness, a"
+        " local friction of 0.3 and nothing that attracts; it parts from the three lines with chi-square"
+        " {:.3g} a row.".format(before["chi2_reduced"])
+    ]
     if names:
-        sentences.append("What was left out is {}: solved again so, with a roll-off of {}, the case leaves {:.3g}, and {:.3g} on rows kept out of the fit ({:.3g} before).".format(
-            names, rolloff, after["chi2_reduced"], after["held_out_chi2_reduced"], before["held_out_chi2_reduced"]))
+        sentences.append(
+            "What was left out is {}: solved again so, with a roll-off of {}, the case leaves {:.3g}, and"
+            " {:.3g} on rows kept out of the fit ({:.3g} before).".format(
+                names,
+                rolloff,
+                after["chi2_reduced"],
+                after["held_out_chi2_reduced"],
+                before["held_out_chi2_reduced"],
+            )
+        )
     else:
         sentences.append("No set of effects that was solved explains it.")
     if shorter["improved"]["held_out_chi2_reduced"] < after["held_out_chi2_reduced"]:
-        sentences.append("With a roll-off of {} sliding is met better ({:.3g} kept out).".format(OF_THE_STUDIES, shorter["improved"]["held_out_chi2_reduced"]))
+        sentences.append(
+            "With a roll-off of {} sliding is met better ({:.3g} kept out).".format(
+                OF_THE_STUDIES, shorter["improved"]["held_out_chi2_reduced"]
+            )
+        )
         if OF_THE_STUDIES not in pull_off.possible_rolloffs(asperity, folder.parent / "pull_off"):
-            sentences.append("The pull-off forces exclude it: the two measurements do not share one spectrum yet. Works of adhesion are in the table; pull-off, below, has its own.")
-    others = "; ".join(" and ".join("`{}`".format(name) for name in other["effects"]) for other in said["alternatives"])
+            sentences.append(
+                "The pull-off forces exclude it: the two measurements do not share one spectrum yet. Works"
+                " of adhesion are in the table; pull-off, below, has its own."
+            )
+    others = "; ".join(
+        " and ".join("`{}`".format(name) for name in other["effects"]) for other in said["alternatives"]
+    )
     if others:
         sentences.append("As good or nearly: " + others + ".")
-    sentences.append("Friction is off by {:.1f} % as stated (mesh, path). One realisation each: the scatter between realisations is not in the intervals.".format(
-        100 * said["forward_model"]["discretisation_error"]["value"]))
-    rows = [[length, of["verdict"].replace("_", " "), local_friction(of), work_of_adhesion(of), "{:.3g} to {:.3g}".format(*(of[state]["held_out_chi2_reduced"] for state in ("baseline", "improved"))),
-             str(of["forward_model"]["solves"])] for length, of in all_of.items()]
-    return Answer("sliding", "Sliding friction rises with roughness: slopes of 0.23, 0.53 and 0.65", said["verdict"].replace("_", " "), sentences,
-                  ["roll-off", "answer", "local friction at 0.3, 1.5, 2.7 nm", "work of adhesion over 1 nm [mJ/m2]", "chi-square, kept out", "solutions"], rows,
-                  figure(folder / rolloff.replace(" ", "_")), "Lateral force of three wafers, before and after",
-                  "; ".join(other["told_apart_by"] for other in said["alternatives"])
-                  or "the same wafers with another sphere radius: attraction then presses by another share, and local friction stays.")
+    sentences.append(
+        "Friction is off by {:.1f} % as stated (mesh, path). One realisation each: the scatter between"
+        " realisations is not in the intervals.".format(
+            100 * said["forward_model"]["discretisation_error"]["value"]
+        )
+    )
+    rows = [
+        [
+            length,
+            of["verdict"].replace("_", " "),
+            local_friction(of),
+            work_of_adhesion(of),
+            "{:.3g} to {:.3g}".format(
+                *(of[state]["held_out_chi2_reduced"] for state in ("baseline", "improved"))
+            ),
+            str(of["forward_model"]["solves"]),
+        ]
+        for length, of in all_of.items()
+    ]
+    return Answer(
+        "sliding",
+        "Sliding friction rises with roughness: slopes of 0.23, 0.53 and 0.65",
+        said["verdict"].replace("_", " "),
+        sentences,
+        [
+            "roll-off",
+            "answer",
+            "local friction at 0.3, 1.5, 2.7 nm",
+            "work of adhesion over 1 nm [mJ/m2]",
+            "chi-square, kept out",
+            "solutions",
+        ],
+        rows,
+        figure(folder / rolloff.replace(" ", "_")),
+        "Lateral force of three wafers, before and after",
+        "; ".join(other["told_apart_by"] for other in said["alternatives"])
+        or "the same wafers with another sphere radius: attraction then presses by another share, and "
+        "local friction stays.",
+    )
