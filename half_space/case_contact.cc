@@ -83,6 +83,7 @@ void press_and_separate(const NormalContact& half_spaces, const CaseInput& input
       by_force ? adhesive.at_force(largest_contact_force(input), how)
                : adhesive.at_approach(contact.first_touch + input.experiment.normal_approach, how);
   contact.attracting = pressed.contact.force - pressed.force;
+  contact.attraction_in_touch = attraction.closing(0);
   const auto separate = [&](const AdhesiveContact& from) {
     if (options.with_pull_off) contact.pull_off = from.pull_off(pressed, how);
     if (options.with_stiffness && !options.edge_is_held) contact.stiffness = from.stiffness(pressed, how);
@@ -116,7 +117,7 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   // An attraction that is told as a force acts like more load, and opens nothing by itself (DMT).
   if (const double force = input.interface.attraction_force;
       force > 0 && experiment.control == ExperimentInput::Control::force) {
-    contact.attracting += force;
+    contact.attracting += force, contact.beyond_contact = force;
     if (!options.attraction) contact.pull_off = PullOff{force, contact.first_touch, 0};
   }
   contact.shape = contact_shape(grid, contact.solution.pressure, options.hardness);

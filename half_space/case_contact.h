@@ -44,10 +44,18 @@ struct CaseContact {
   double torsion_stiffness = 0;  ///< likewise, about the axis of the sphere [N m]
   int enlarged = 0;              ///< times that the contact reached the edge, and the square was made larger
   double attracting = 0;         ///< sum of the attraction, which the contact carries beside the load [N]
+  double beyond_contact = 0;     ///< the part of it that is told as a force and presses like more load [N]
+  double attraction_in_touch = 0;   ///< of surfaces where they touch [Pa]
   std::optional<PullOff> pull_off;  ///< of surfaces that attract each other
 
   double approach() const { return solution.approach; }         ///< of the mean surfaces [m]
   double force() const { return solution.force - attracting; }  ///< normal force from outside [N]
+
+  // As finite elements have them, with attraction taken off, which `shape` counts as pressure that bears it:
+  double mean_pressure() const {  ///< [Pa]
+    return shape.area > 0 ? (force() + beyond_contact) / shape.area : 0;
+  }
+  double largest_pressure() const { return shape.largest_pressure - attraction_in_touch; }  ///< [Pa]
 };
 
 /// Gap of the undeformed surfaces in the middle of each cell [m]; `input` as below. Throws ScanError where a

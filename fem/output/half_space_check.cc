@@ -44,7 +44,7 @@ std::string half_space_text(const half_space::CaseContact& check, const HistoryR
   };
   return "half-spaces and finite elements: " +
          pair("area", check.shape.area, peak.contact_area, 1e-12, " um^2, ") +
-         pair("largest pressure", check.shape.largest_pressure, peak.max_pressure, 1e9, " GPa, ") +
+         pair("largest pressure", check.largest_pressure(), peak.max_pressure, 1e9, " GPa, ") +
          pair("approach", check.approach(), peak.mean_plane_approach, 1e-9, " nm, ") +
          pair("stiffness", check.stiffness, stiffness, 1e3, " kN/m") +
          (check.pull_off ? pair(", pull-off force", check.pull_off->force, tension, 1e-6, " uN") : "");

@@ -61,8 +61,8 @@ json resolved_roughness(const MeshedRoughness& r) {
 
 json half_space_numbers(const half_space::CaseContact& contact) {
   json numbers{{"contact_area", contact.shape.area},
-               {"mean_pressure", contact.shape.mean_pressure},
-               {"max_pressure", contact.shape.largest_pressure},
+               {"mean_pressure", contact.mean_pressure()},
+               {"max_pressure", contact.largest_pressure()},
                {"approach", contact.approach()},
                {"first_touch", contact.first_touch},
                {"normal_stiffness", contact.stiffness},

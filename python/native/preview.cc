@@ -53,7 +53,7 @@ void add_preview(py::module_& module) {
       .def_property_readonly(
           "area_error", [](const CasePreview& p) { return p.error_of_area(); }, "Relative.")
       .def_property_readonly(
-          "largest_pressure", [](const CasePreview& p) { return p.fine.shape.largest_pressure; }, "[Pa].")
+          "largest_pressure", [](const CasePreview& p) { return p.fine.largest_pressure(); }, "[Pa].")
       .def_property_readonly(
           "largest_pressure_error", [](const CasePreview& p) { return p.error_of_largest_pressure(); },
           "Relative.")

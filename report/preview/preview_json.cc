@@ -19,9 +19,10 @@ json numbers_of(const CaseContact& contact, const CasePreview& preview) {
   const double area = preview.error_of_area() * shape.area;
   json numbers = {
       {"contact_area", with_sd(shape.area, "m^2", area)},
-      {"mean_pressure", with_sd(shape.mean_pressure, "Pa", preview.error_of_area() * shape.mean_pressure)},
-      {"max_pressure",
-       with_sd(shape.largest_pressure, "Pa", preview.error_of_largest_pressure() * shape.largest_pressure)},
+      {"mean_pressure",
+       with_sd(contact.mean_pressure(), "Pa", preview.error_of_area() * contact.mean_pressure())},
+      {"max_pressure", with_sd(contact.largest_pressure(), "Pa",
+                               preview.error_of_largest_pressure() * contact.largest_pressure())},
       {"normal_stiffness",
        with_sd(contact.stiffness, "N/m", preview.error_of_stiffness() * contact.stiffness)},
       {"approach", with_sd(contact.approach(), "m", preview.error_of_approach())},

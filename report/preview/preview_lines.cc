@@ -35,7 +35,7 @@ std::string grid_text(const CaseInput& input, const CaseContact& contact) {
 }
 
 void say_yielding(const CaseInput& input, const PreviewedCase& preview, const Say& say) {
-  const double largest = preview.contact.fine.shape.largest_pressure;
+  const double largest = preview.contact.fine.largest_pressure();
   bool yields = false;
   for (const auto& body : preview.yielding) {
     const double first = body.first_yield;
@@ -176,8 +176,8 @@ std::vector<std::string> preview_lines(const CaseInput& input, const PreviewedCa
   say("real contact area " + area_text(shape.area) +
       beside(percent(contact.error_of_area()), area_text(hertz.contact_area(force))) + " in " +
       std::to_string(shape.spots) + " spots");
-  say("mean pressure " + quantity(shape.mean_pressure, Dimension::pressure) + ", largest " +
-      quantity(shape.largest_pressure, Dimension::pressure) +
+  say("mean pressure " + quantity(contact.fine.mean_pressure(), Dimension::pressure) + ", largest " +
+      quantity(contact.fine.largest_pressure(), Dimension::pressure) +
       beside(percent(contact.error_of_largest_pressure()),
              quantity(hertz.peak_pressure(force), Dimension::pressure)));
   say_shear(input, preview, say);

@@ -157,6 +157,9 @@ TEST(AttractionZone_other_code, half_spaces_state_the_stiffness_that_finite_elem
   };
   EXPECT_TRUE(verified("stiffness").within(result["half_space"]["normal_stiffness"], stiffness, 0.05));
   EXPECT_NEAR(stiffness, punch, 0.03 * punch);
+  for (const char* pressure : {"mean_pressure", "max_pressure"})
+    EXPECT_TRUE(verified(pressure).within(result["half_space"][pressure],
+                                          result["effective"][pressure]["value"], 0.05));
 }
 
 }  // namespace
