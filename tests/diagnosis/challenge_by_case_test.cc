@@ -201,14 +201,15 @@ TEST(ConcealedTruth_analytic, a_contact_that_attracts_begins_to_slip_with_the_st
   double attraction = 0;
   for (const auto& effect : hidden.truth.effects)
     if (effect.id == "adhesion_offset") attraction = effect.parameters.at("adhesion_force").value;
-  // The first sample of the first run, by Mindlin (1949) from rest.
+  // The first sample of the first run, by Mindlin (1949) from rest; a true sphere's contact (Sneddon 1965)
+  // differs from Hertz' by less than a thousandth, one under the load alone by a twentieth.
   const double pressed = table.column("normal_force")[0] + attraction,
                gross = 3 * mu * pressed /
                        (16 * reduced_shear_modulus(glass, silicon) * hertz.contact_radius(pressed)),
                x = table.column("lateral_displacement")[0];
   ASSERT_LT(x, gross);
   EXPECT_NEAR(table.column("lateral_force")[0] / (mu * pressed * (1 - std::pow(1 - x / gross, 1.5))), 1,
-              1e-6);
+              1e-3);
 }
 
 TEST(ConcealedRecording_behaviour, by_another_code_asks_for_an_effect_that_one_has) {

@@ -135,6 +135,10 @@ TEST(AttractionZone_other_code, stated_errors_hold_on_meshes_that_do_not_resolve
       EXPECT_TRUE((test::Verified{"Adhesion", "pull-off on the derived mesh, attraction of a short range",
                                   "half-spaces"})
                       .within(1 + off, 1, 0.05));
+    const auto& area = solved.result["effective"]["contact_area"];
+    const double area_off =
+        solved.result["half_space"]["contact_area"].get<double>() - area["value"].get<double>();
+    EXPECT_LT(std::abs(area_off), 2 * area["sd"].get<double>()) << spacing;
     EXPECT_LT(std::abs(share), 2 * stated) << spacing;
     EXPECT_GT(std::abs(share), spacing > 0 ? 0.2 * stated : 0) << spacing;
     EXPECT_NEAR(pulled["sd"].get<double>() / force, std::min(stated, std::hypot(0.02, share)), 0.02)
