@@ -106,7 +106,8 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   contact.first_touch = *std::min_element(gap.begin(), gap.end());
   const NormalContact half_spaces(grid, Boundary::free, hertz_of(input).reduced_modulus, std::move(gap));
   NormalContactOptions how;
-  how.hardness = options.hardness;
+  // What yields feels the pressure less the attraction.
+  how.hardness = options.hardness + (options.attraction ? options.attraction->closing(0) : 0);
   const auto& experiment = input.experiment;
   if (options.attraction)
     press_and_separate(half_spaces, input, options, how, contact);
@@ -120,7 +121,7 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
     contact.attracting += force, contact.beyond_contact = force;
     if (!options.attraction) contact.pull_off = PullOff{force, contact.first_touch, 0};
   }
-  contact.shape = contact_shape(grid, contact.solution.pressure, options.hardness);
+  contact.shape = contact_shape(grid, contact.solution.pressure, how.hardness);
   if (options.with_shear_stiffness) {
     const StuckContact stuck(grid, shear_compliance(input));
     contact.lateral_stiffness = stuck.lateral_stiffness(contact.solution.pressure);
@@ -236,7 +237,7 @@ CasePreview preview_of_case(const CaseInput& input, double hardness,
   options.most_cells = grid.nx / 2;
   const Surfaces surfaces(input, options.half_width);
   preview.coarse = contact_on(input, surfaces, square_grid(options.half_width, grid.nx / 2), options);
-  if (hardness < preview.fine.shape.largest_pressure) {
+  if (hardness < preview.fine.largest_pressure()) {
     options.hardness = hardness;
     options.spacing = grid.dx;
     options.most_cells = grid.nx;
@@ -250,7 +251,7 @@ double CasePreview::error_of_largest_pressure() const {
   // Measured: 5 % with eight cells over the shortest wave, 2 % with sixteen, and the power through both; at
   // two spacings the same by chance.
   const double measured = 0.02 * std::pow(16 * resolution, std::log2(0.05 / 0.02));
-  return std::max(relative_difference(fine.shape.largest_pressure, coarse.shape.largest_pressure), measured);
+  return std::max(relative_difference(fine.largest_pressure(), coarse.largest_pressure()), measured);
 }
 double CasePreview::error_of_stiffness() const {
   return relative_difference(fine.stiffness, coarse.stiffness);

@@ -23,7 +23,8 @@ struct CaseContactOptions {
   double half_width = 0;  ///< of the square that is solved on [m]; 0: derived from load and roughness
   double spacing = 0;     ///< of its cells [m], or a little less; 0: derived, see derived_spacing
   int most_cells = 1024;  ///< along a side; the spacing grows where that is too few
-  double hardness = std::numeric_limits<double>::infinity();  ///< [Pa]
+  /// Largest pressure, less the attraction [Pa].
+  double hardness = std::numeric_limits<double>::infinity();
   bool with_stiffness = true;
   /// Of surfaces that attract each other: stiffness is that of the contact as it stands, as finite elements
   /// measure it, in place of the slope of separation, along which the edge moves.
