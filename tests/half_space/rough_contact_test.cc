@@ -201,6 +201,28 @@ TEST(CaseContact_behaviour, is_enlarged_until_the_hardness_carries_the_load) {
   EXPECT_THROW(contact_of_case(input, options), InputError);
 }
 
+TEST(CaseContact_analytic, attraction_is_taken_off_pressures_and_off_what_a_hardness_bounds) {
+  const CaseInput input = sphere_on_silicon();
+  constexpr double held = 0.4e9, range = 1e-9;
+  const auto law = [=](double gap) { return held * std::exp(-gap / range); };
+  CaseContactOptions options;
+  options.attraction = Attraction{law, law, 5 * range, held * range};
+  options.with_pull_off = options.with_stiffness = false;
+  const CaseContact elastic = contact_of_case(input, options);
+  const double load = input.experiment.normal_load;
+  EXPECT_NEAR(elastic.mean_pressure() * elastic.shape.area, load, 1e-4 * load);
+  EXPECT_DOUBLE_EQ(elastic.largest_pressure(), elastic.shape.largest_pressure - held);
+  EXPECT_GT(elastic.attracting, 0.1 * load);
+  // More than without attraction, and less than were all of it load (Johnson 1985, sec. 5.5).
+  EXPECT_GT(elastic.largest_pressure(), hertz_of(input).peak_pressure(load));
+  EXPECT_LT(elastic.largest_pressure(), hertz_of(input).peak_pressure(load + elastic.attracting));
+  options.hardness = 0.8 * elastic.largest_pressure();
+  const CaseContact yielding = contact_of_case(input, options);
+  EXPECT_NEAR(yielding.largest_pressure() / options.hardness, 1, 1e-9);
+  EXPECT_GT(yielding.shape.area_at_bound, 0);
+  EXPECT_GT(yielding.shape.area, elastic.shape.area);
+}
+
 TEST(CaseContact_behaviour, refuses_what_is_no_half_space) {
   CaseInput input = sphere_on_silicon();
   CaseContactOptions options;
