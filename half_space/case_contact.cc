@@ -83,7 +83,7 @@ void press_and_separate(const NormalContact& half_spaces, const CaseInput& input
       by_force ? adhesive.at_force(largest_contact_force(input), how)
                : adhesive.at_approach(contact.first_touch + input.experiment.normal_approach, how);
   contact.attracting = pressed.contact.force - pressed.force;
-  contact.attraction_in_touch = attraction.closing(0);
+  contact.attraction_in_touch = attraction.opening(0);
   const auto separate = [&](const AdhesiveContact& from) {
     if (options.with_pull_off) contact.pull_off = from.pull_off(pressed, how);
     if (options.with_stiffness && !options.edge_is_held) contact.stiffness = from.stiffness(pressed, how);
@@ -106,8 +106,8 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   contact.first_touch = *std::min_element(gap.begin(), gap.end());
   const NormalContact half_spaces(grid, Boundary::free, hertz_of(input).reduced_modulus, std::move(gap));
   NormalContactOptions how;
-  // What yields feels the pressure less the attraction.
-  how.hardness = options.hardness + (options.attraction ? options.attraction->closing(0) : 0);
+  // What yields feels the pressure less the attraction, which is that of separation where bodies touch.
+  how.hardness = options.hardness + (options.attraction ? options.attraction->opening(0) : 0);
   const auto& experiment = input.experiment;
   if (options.attraction)
     press_and_separate(half_spaces, input, options, how, contact);

@@ -46,7 +46,7 @@ struct CaseContact {
   int enlarged = 0;              ///< times that the contact reached the edge, and the square was made larger
   double attracting = 0;         ///< sum of the attraction, which the contact carries beside the load [N]
   double beyond_contact = 0;     ///< the part of it that is told as a force and presses like more load [N]
-  double attraction_in_touch = 0;   ///< of surfaces where they touch [Pa]
+  double attraction_in_touch = 0;   ///< of surfaces where they touch, by the law of separation [Pa]
   std::optional<PullOff> pull_off;  ///< of surfaces that attract each other
 
   double approach() const { return solution.approach; }         ///< of the mean surfaces [m]

@@ -11,7 +11,9 @@ std::string pressure_picture(const half_space::CaseContact& contact) {
   map.nx = grid.nx, map.ny = grid.ny;
   for (const double pressure : contact.solution.pressure) map.values.push_back(pressure / GPa);
   MapFigure figure;
-  figure.x_label = "x [nm]", figure.y_label = "y [nm]", figure.colour_label = "contact pressure [GPa]";
+  figure.x_label = "x [nm]", figure.y_label = "y [nm]",
+  figure.colour_label = contact.attraction_in_touch > 0 ? "pressure that bears load and attraction [GPa]"
+                                                        : "contact pressure [GPa]";
   figure.x_high = 0.5 * grid.nx * grid.dx / nm, figure.x_low = -figure.x_high;
   figure.y_high = 0.5 * grid.ny * grid.dx / nm, figure.y_low = -figure.y_high;
   figure.scale = &ColourScale::white_to_red();

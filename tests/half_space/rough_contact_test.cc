@@ -223,6 +223,24 @@ TEST(CaseContact_analytic, attraction_is_taken_off_pressures_and_off_what_a_hard
   EXPECT_GT(yielding.shape.area, elastic.shape.area);
 }
 
+TEST(CaseContact_analytic, attraction_of_touching_surfaces_alone_leaves_the_pressures_of_Hertz) {
+  // None before touch: what bears the attraction is the attraction itself, wherever the bodies touch.
+  const CaseInput input = sphere_on_silicon();
+  constexpr double held = 0.4e9, range = 1e-9;
+  CaseContactOptions options;
+  options.attraction =
+      Attraction{[](double) { return 0.0; }, [=](double gap) { return held * std::exp(-gap / range); },
+                 5 * range, held * range};
+  options.with_pull_off = options.with_stiffness = false;
+  const CaseContact contact = contact_of_case(input, options);
+  const Hertz hertz = hertz_of(input);
+  const double load = input.experiment.normal_load, area = hertz.contact_area(load);
+  EXPECT_NEAR(contact.shape.area / area, 1, 0.01);
+  EXPECT_NEAR(contact.largest_pressure() / hertz.peak_pressure(load), 1, 0.01);
+  EXPECT_NEAR(contact.mean_pressure() / (load / area), 1, 0.01);
+  EXPECT_NEAR(contact.attracting / (held * area), 1, 0.03);
+}
+
 TEST(CaseContact_behaviour, refuses_what_is_no_half_space) {
   CaseInput input = sphere_on_silicon();
   CaseContactOptions options;
