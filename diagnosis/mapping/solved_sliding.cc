@@ -113,13 +113,18 @@ std::vector<RecordedLoad> recorded_loads(const Samples& samples, double largest,
   return loads;
 }
 
+Sample sample_of(const Mechanics& law, const SolvedSlide& slide, double normal_force) {
+  Sample sample;
+  sample.normal_force = normal_force;
+  sample.radius = law.experiment.radius;
+  sample.rms_roughness = slide.substrate_rms.value_or(0);
+  return sample;
+}
+
 /// The fully developed friction of a law [N].
 double steady_friction(const Mechanics& law, const SolvedSlide& slide, double normal_force) {
   Samples samples;
-  samples.list.resize(1);
-  samples.list.front().normal_force = normal_force;
-  samples.list.front().radius = law.experiment.radius;
-  samples.list.front().rms_roughness = slide.substrate_rms.value_or(0);
+  samples.list = {sample_of(law, slide, normal_force)};
   SampleRun run;
   run.end = 1;
   run.independent_rows = true;
@@ -245,9 +250,8 @@ std::shared_ptr<const BranchCorrection> friction_difference_to(const std::vector
       if (!(slide.lateral_stiffness > 0)) continue;
       difference->relative_stiffness_error = std::max(
           difference->relative_stiffness_error, slide.lateral_stiffness_error / slide.lateral_stiffness);
-      Sample sample;
-      sample.normal_force = slide.normal_force;
-      const double pressed = slide.normal_force + offset_at(reduced.lateral, sample);
+      const double pressed =
+          slide.normal_force + offset_at(reduced.lateral, sample_of(reduced, slide, slide.normal_force));
       factors.stiffness.add(slide.normal_force,
                             slide.lateral_stiffness / lateral_stiffness(reduced.experiment, pressed));
     }
