@@ -13,96 +13,22 @@
 #include "dem_compare/laws/lubkin_torsion.h"
 #include "engines/engine_input.h"
 #include "tests/dem_compare/derive/found.h"
+#include "tests/dem_compare/derive/made_case.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/verification.h"
 
 namespace asperity {
 namespace {
 
+using test::glass;
+using test::make_case;
+using test::silicon;
+using test::standard;
 using test::TemporaryFolder;
+using test::Truth;
 using About = OpenQuestion::About;
 
-const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
-const Hertz standard{reduced_modulus(glass, silicon), 8.5e-6};
 const Hertz& hertz = standard;
-
-struct Truth {
-  double mu = 0.23, offset = 12e-6;  ///< sliding
-  double torsion_coefficient = 0.12, torsion_offset = 12e-6;
-  bool torsion_with_contact = true;  ///< lambda = a, else r
-  double noise = 0.02;               ///< of the resistance along the way, relative
-  double realisation_scatter = 0;    ///< relative
-};
-
-/// A way of sliding, torsion or rolling there and back, as `solve` writes it; noise correlated over about two
-/// steps.
-SolvedCase make_case(const Truth& truth, const std::string& type, double load, int seed, std::mt19937& random,
-                     const Hertz& hertz = standard) {
-  std::normal_distribution<double> normal;
-  const bool sliding = type == "sliding", rolling = type == "rolling";
-  const double a = hertz.contact_radius(load);
-  const double length = sliding ? 1 : truth.torsion_with_contact ? a : hertz.radius;
-  const double mu = sliding ? truth.mu : truth.torsion_coefficient,
-               offset = sliding ? truth.offset : truth.torsion_offset;
-  const double limit = mu * length * (load + offset);
-  const double stiffness = sliding ? 8 * reduced_shear_modulus(glass, silicon) * a
-                                   : no_slip_torsion_stiffness(torsion_modulus(glass, silicon), a);
-  // Virgin curve: bilinear is enough, the stiffness has tests of its own.
-  const auto virgin = [&](double way) { return std::min(limit, stiffness * way); };
-  History history;
-  double correlated = 0;
-  const auto add = [&](double force, double position, double resistance) {
-    for (const auto& column : history_columns())
-      if (column.always) (history.*column.values).push_back(0);
-    history.normal_force.back() = force;
-    history.normal_displacement.back() = hertz.approach(force);
-    history.contact_radius.back() = hertz.contact_radius(force);
-    history.contact_area.back() = hertz.contact_area(force);
-    (sliding   ? history.lateral_displacement
-     : rolling ? history.rolling_angle
-               : history.torsion_angle)
-        .back() = position;
-    (sliding   ? history.lateral_force
-     : rolling ? history.rolling_moment
-               : history.torsion_moment)
-        .back() = resistance;
-  };
-  constexpr int load_steps = 8;
-  for (int i = 1; i <= load_steps; ++i) add(load * i / load_steps, 0, 0);
-  const double slip_way = limit / stiffness, way = 40 * slip_way;
-  const auto noisy = [&](double resistance) {
-    correlated = 0.5 * correlated + std::sqrt(0.75) * normal(random);
-    return resistance * (1 + truth.noise * correlated);
-  };
-  std::vector<double> ways{0.5 * slip_way, slip_way};
-  constexpr int steps = 150;
-  for (int i = 1; i <= steps; ++i) ways.push_back(slip_way + (way - slip_way) * i / steps);
-  std::normal_distribution<double> scatter(1, truth.realisation_scatter);
-  std::mt19937 of_seed(static_cast<unsigned>(seed * 7919) + static_cast<unsigned>(random()));
-  const double common = truth.realisation_scatter > 0 ? scatter(of_seed) : 1;
-  for (const double w : ways) add(load, w, w > slip_way ? common * noisy(virgin(w)) : common * virgin(w));
-  for (const double w : ways)
-    add(load, way - w, w > 2 * slip_way ? -common * noisy(limit) : common * (limit - 2 * virgin(w / 2)));
-  std::map<std::string, std::string> entries{
-      {"Particle/Radius", format_quantity(hertz.radius, Dimension::length)},
-      {"Particle/Young modulus", "71 GPa"},
-      {"Particle/Poisson ratio", "0.17"},
-      {"Substrate/Young modulus", "179 GPa"},
-      {"Substrate/Poisson ratio", "0.25"},
-      {"Interface/Friction coefficient", "0.2"},
-      {"Experiment/Type", type},
-      {"Substrate/Topography", "generated(rms=1.5 nm, seed=" + std::to_string(seed) + ")"}};
-  SolvedCase solved;
-  solved.folder = type + "_" + std::to_string(load) + "_" + std::to_string(seed);
-  solved.entries = CaseEntries(entries);
-  solved.result = case_result_of({{"format", CaseResult::format},
-                                  {"experiment", type},
-                                  {"mesh", {{"interface_spacing", 1e-8}}},
-                                  {"versions", {{"asperity", "0.1.0"}}}},
-                                 "made");
-  solved.history = history;
-  return solved;
-}
 
 ParameterSet make_set(const Truth& truth, const std::vector<double>& loads, int realisations,
                       std::mt19937& random) {
@@ -451,86 +377,5 @@ TEST(Derivation_behaviour, is_read_back_as_it_was_written) {
   EXPECT_EQ(read.torsion_limit(1e-3), written.torsion_limit(1e-3));
   EXPECT_NE(engine_input("lammps", read, {}).find("tangential mindlin_rescale/force"), std::string::npos);
 }
-
-/// A folder as `solve` leaves it.
-void write_case(const std::filesystem::path& folder, const SolvedCase& solved, const std::string& radius,
-                bool finished = true, double friction = 0.2) {
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "history.csv") << format_history(solved.history);
-  std::ofstream(folder / "case.prm")
-      << "subsection Particle\n  set Radius = " << radius
-      << "\n  set Young modulus = 71 GPa\n  set Poisson ratio = 0.17\nend\nsubsection Substrate\n"
-         "  set Young modulus = 179 GPa\n  set Poisson ratio = 0.25\n  set Topography = "
-      << solved.entries.text("Substrate/Topography") << "\nend\n";
-  nlohmann::ordered_json result = solved.result->document;
-  result["inputs"] = {{"friction_coefficient", friction}};
-  if (finished) std::ofstream(folder / "result.json") << result.dump();
-}
-
-TEST(ParameterSets_behaviour, hold_cases_that_differ_by_load_seed_and_experiment_alone) {
-  std::mt19937 random(5);
-  const TemporaryFolder folder;
-  write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um");
-  write_case(folder.path / "b", make_case({}, "torsion", 1e-3, 2, random), "8.5 um");
-  write_case(folder.path / "c", make_case({}, "sliding", 1e-4, 1, random), "5 um");
-  write_case(folder.path / "d", make_case({}, "sliding", 1e-4, 1, random), "5 um", false);
-  const ParameterSets found = collect_parameter_sets({folder.path, folder.path / "a"});
-  ASSERT_EQ(found.sets.size(), 2u);
-  EXPECT_EQ(found.sets[0].cases.size(), 2u);
-  EXPECT_EQ(found.sets[1].cases.size(), 1u);
-  EXPECT_EQ(differences(found.sets), "Particle/Radius: 8.5 um, 5 um");
-  const auto says = [&](const std::string& part) {
-    return std::any_of(found.remarks.begin(), found.remarks.end(),
-                       [&](const auto& remark) { return remark.find(part) != std::string::npos; });
-  };
-  EXPECT_TRUE(says("d: not finished"));
-  EXPECT_TRUE(says("a: named twice"));
-  EXPECT_TRUE(says("does not list the entries"));  // of an earlier version
-}
-
-/// As a study writes its second realisation.
-TEST(ParameterSets_behaviour, hold_realisations_whose_lengths_are_written_in_other_units) {
-  std::mt19937 random(6);
-  const TemporaryFolder folder;
-  SolvedCase first = make_case({}, "sliding", 1e-4, 1, random), second = first;
-  first.entries = CaseEntries(std::map<std::string, std::string>{
-      {"Substrate/Topography", "generated(rms=0.7 nm, hurst=0.8, seed=1)"}});
-  second.entries = CaseEntries(std::map<std::string, std::string>{
-      {"Substrate/Topography", "generated(rms=700 pm, hurst=0.8, seed=1001)"}});
-  write_case(folder.path / "a", first, "8.5 um");
-  write_case(folder.path / "b", second, "8.5 um");
-  const ParameterSets found = collect_parameter_sets({folder.path});
-  ASSERT_EQ(found.sets.size(), 1u);
-  EXPECT_EQ(found.sets[0].cases.size(), 2u);
-}
-
-TEST(ParameterSets_behaviour, with_friction_take_frictionless_cases_of_the_same_bodies_for_their_normal_law) {
-  std::mt19937 random(7);
-  const TemporaryFolder folder;
-  write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um");
-  SolvedCase normal = make_case({}, "sliding", 1e-3, 1, random);
-  normal.result->document["experiment"] = "normal";
-  write_case(folder.path / "b", normal, "8.5 um", true, 0);
-  write_case(folder.path / "c", normal, "5 um", true, 0);
-  const ParameterSets found = collect_parameter_sets({folder.path});
-  ASSERT_EQ(found.sets.size(), 2u);
-  EXPECT_EQ(found.sets[0].cases.size(), 2u);
-  EXPECT_EQ(found.sets[1].cases.size(), 1u);
-  EXPECT_NE(found.remarks.back().find("count for the set(s) with friction"), std::string::npos);
-}
-
-TEST(ParameterSets_behaviour, refuse_a_folder_without_cases_and_cases_that_are_not_finished) {
-  std::mt19937 random(6);
-  const TemporaryFolder folder;
-  EXPECT_NE(test::message_of<InputError>([&] {
-              collect_parameter_sets({folder.path});
-            }).find("neither a solved case"),
-            std::string::npos);
-  write_case(folder.path / "a", make_case({}, "sliding", 1e-4, 1, random), "8.5 um", false);
-  const std::string message = test::message_of<InputError>([&] { collect_parameter_sets({folder.path}); });
-  EXPECT_NE(message.find("no case is complete"), std::string::npos) << message;
-  EXPECT_NE(message.find("--resume"), std::string::npos) << message;
-}
-
 }  // namespace
 }  // namespace asperity
