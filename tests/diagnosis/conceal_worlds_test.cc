@@ -8,6 +8,7 @@
 
 #include "core/hertz.h"
 #include "dem_compare/laws/rail_balance.h"
+#include "diagnosis/conceal/concealed_recording.h"
 #include "diagnosis/conceal/instrument_noise.h"
 #include "diagnosis/conceal/sphere.h"
 #include "diagnosis/conceal/world.h"

@@ -242,10 +242,11 @@ TEST(Mechanics_other_code, yielding_follows_axisymmetric_finite_elements) {
   for (const char* poisson : {"0.17", "0.25", "0.3"}) {
     const auto forces = loading.numbers(std::string("F/Fc_nu") + poisson);
     for (std::size_t i = 0; i < depths.size(); ++i)
-      if (depths[i] <= 110)
+      if (depths[i] <= 110) {
         EXPECT_NEAR(simulate(m, approach_and_back(0, depths[i] * critical, 51))[50] / unit, forces[i],
                     0.011 * forces[i])
             << depths[i] << " " << poisson;
+      }
   }
   const CsvTable unloading = read_csv(test::reference_table("02_elastoplastic_table_unloading.csv"));
   const auto deepest = unloading.numbers("w_max/wc"), residual = unloading.numbers("w_res/w_max_ownFE"),
