@@ -59,7 +59,7 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
   const std::vector<double> by_mesh = shifts_by_mesh_errors(problem, fit);
   for (std::size_t e = 0; e < effects.size(); ++e) {
     const EffectDescription& d = effects[e]->description();
-    DiagnosedEffect effect{d.id, d.title, d.equation, d.source, d.meaning, d.kind, probability, {}};
+    DiagnosedEffect effect{d.id, d.title, d.equation, d.source, d.meaning, d.kind, probability, {}, {}, {}};
     for (std::size_t k = 0; k < fit.values.size(); ++k) {
       const FreeParameter& free = fit.explanation->parameters()[k];
       if (free.effect == static_cast<int>(e))

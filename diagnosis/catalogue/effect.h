@@ -89,8 +89,11 @@ class Effect {
   virtual bool is_another_value() const { return false; }
   /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
   virtual bool is_itself(const double*) const { return true; }
-  /// How many numbers its law takes from the recording itself beside its parameters [-]; each counts as a
-  /// parameter.
+  /// How many effects its law stands for [-]: of one that holds another's as a limit both, so that in the
+  /// evidence what it adds to that counts as an effect of its own.
+  virtual int effects_held() const { return 1; }
+  /// How many numbers its law takes from parts of the recording itself beside its parameters [-]; each counts
+  /// as a parameter that the samples of its part tell.
   virtual double numbers_read_off(const Experiment&, const double*) const { return 0; }
   /// Further starting points read off the residuals before physics is added.
   virtual std::vector<EffectStart> starts(const Samples&, const std::vector<double>&) const { return {}; }

@@ -44,6 +44,14 @@ const Candidate* find(const SearchResult& search, const Effects& effects) {
   return nullptr;
 }
 
+/// Log evidence that a set only has because the laws of a smaller one, which they fit well within what they
+/// state, change less in it and so state less. Where they need all that they state it is no such gift.
+double by_stating_less(const Candidate& smaller, const Candidate& larger) {
+  constexpr double well_within = 0.5;
+  if (smaller.fit.part_of_bound > well_within) return 0;
+  return 0.5 * std::max(0.0, smaller.room - larger.room);
+}
+
 /// Every member earns its place: without it the evidence is clearly less, and a part of the mismatch comes
 /// back that is either large or more than the laws of the others may be off by.
 bool every_member_counts(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
@@ -59,7 +67,10 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     without.erase(without.begin() + static_cast<long>(k));
     const Candidate* smaller = without.empty() ? &search.alone : find(search, without);
     if (!smaller) continue;
-    if (candidate.score < smaller->score + (without.empty() ? clear_evidence : evidence_for_another))
+    const double enough = without.empty() ? clear_evidence : evidence_for_another;
+    const double muted = by_stating_less(*smaller, candidate) / search.overdispersion;
+    if (candidate.score < smaller->score + enough ||
+        candidate.score_as_stated - muted < smaller->score_as_stated + enough)
       return false;
     const double gained = (smaller->cost - candidate.cost) / search.overdispersion;
     if (without.empty() || effects[k]->is_another_value()) continue;
@@ -68,7 +79,7 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     if (!complete && gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest)) return false;
     // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
     const bool is_plain = effects[k]->description().kind == EffectKind::instrument &&
-                          candidate.score > smaller->score + plain_evidence;
+                          candidate.score_as_stated > smaller->score_as_stated + plain_evidence;
     const bool is_unsure = !is_plain && leaves_noise(*smaller);
     if (complete && gained < least_part * whole && (is_unsure || has_layer(without))) return false;
   }

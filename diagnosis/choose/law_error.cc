@@ -77,6 +77,12 @@ VectorXd part_of(const VectorXd& white, const NoiseFilter& filter, const std::ve
 
 }  // namespace
 
+ModelErrors laws_off_by(double part, ModelErrors errors) {
+  for (LawError& of_law : errors.of_laws)
+    for (double& off : of_law) off *= part;
+  return errors;
+}
+
 LawErrors::LawErrors(const Samples& samples) {
   for (std::size_t i = 0; i < samples.list.size(); ++i)
     if (samples.list[i].counts) whole_.samples.push_back(i);

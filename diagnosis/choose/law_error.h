@@ -5,6 +5,10 @@
 // phi_k: cosines along each run's segments (over all cycles, and within one), or along what varies in a
 // series. With its coefficients integrated out, a further effect that only mends what the first law may be
 // off by anyway gains nothing.
+//
+// The accuracy is a bound: a law may well be nearer. Between sets the evidence counts its mean over parts of
+// that bound (parts_of_bound), or a law that states little would win over one that states much and fits.
+// Whether a member earns its place is asked with the bound itself.
 #pragma once
 
 #include <Eigen/Dense>
@@ -50,6 +54,11 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
 /// Of all effects together.
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
 
+/// Parts of what laws state, each as likely a size of what they are off by [-].
+constexpr double parts_of_bound[] = {1, 1.0 / 4, 1.0 / 16, 1.0 / 64};
+/// The same where laws are off by a part [-] of what they state.
+ModelErrors laws_off_by(double part, ModelErrors errors);
+
 /// Cosines in which the errors of laws vary, made once for a recording.
 class LawErrors {
  public:
@@ -81,7 +90,9 @@ class LawErrors {
   Group once_;   ///< all samples, with a constant
 };
 
-/// What the least exact law of a set may be off by, relative.
+/// What the least exact law of a set may be off by, relative: a law of the contact by what it states, since
+/// its own numbers may be off in a way that its parameters take up; an instrument's, or another value of the
+/// simulation, by what the data show.
 double accuracy_of(const FitProblem& problem, const ModelFit& fit);
 
 }  // namespace asperity

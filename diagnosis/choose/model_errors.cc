@@ -104,9 +104,11 @@ LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFi
 
 double accuracy_of(const FitProblem& problem, const ModelFit& fit) {
   double accuracy = 0;
-  for (const Effect* effect : fit.explanation->effects())
-    if (!fit.is_confirmed || effect->enters_by(problem.experiment) != EntersBy::finite_elements)
-      accuracy = std::max(accuracy, effect->description().accuracy);
+  for (const Effect* effect : fit.explanation->effects()) {
+    if (fit.is_confirmed && effect->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
+    const bool is_exact = effect->description().kind == EffectKind::instrument || effect->is_another_value();
+    accuracy = std::max(accuracy, effect->description().accuracy * (is_exact ? fit.part_of_bound : 1));
+  }
   return accuracy;
 }
 

@@ -17,25 +17,50 @@ constexpr std::size_t widest_beam_of_singles = 8, widest_beam_of_pairs = 3, larg
 /// stays a candidate beside its equals.
 constexpr double not_shown = 1.5;
 
+/// The likelihood's mean over what the laws may be off by, and what of that is likely then.
+struct OverLaws {
+  double log_likelihood, part_of_bound;  ///< [-]
+};
+OverLaws over_laws(const Candidate& candidate, double overdispersion) {
+  if (candidate.costs.empty()) return {-0.5 * candidate.cost / overdispersion, 1};
+  const double least = *std::min_element(candidate.costs.begin(), candidate.costs.end());
+  if (!std::isfinite(least)) return {-least, 1};
+  double sum = 0, squares = 0;
+  for (std::size_t k = 0; k < candidate.costs.size(); ++k) {
+    const double likely = std::exp(-0.5 * (candidate.costs[k] - least) / overdispersion);
+    sum += likely, squares += likely * parts_of_bound[k] * parts_of_bound[k];
+  }
+  return {-0.5 * least / overdispersion + std::log(sum / static_cast<double>(candidate.costs.size())),
+          std::sqrt(squares / sum)};
+}
+
 void score(Candidate& candidate, const Experiment& experiment, std::size_t admissible,
            double overdispersion) {
-  const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size()) +
-                          candidate.fit.numbers_read_off(experiment);
+  const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
   const Effects& members = candidate.fit.explanation->effects();
-  const auto effects = static_cast<double>(std::count_if(
-      members.begin(), members.end(), [](const Effect* effect) { return !effect->is_another_value(); }));
-  const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
-  candidate.score = -0.5 * candidate.cost / overdispersion - 0.5 * parameters * std::log(count) -
-                    effects * std::log(std::max<double>(2, static_cast<double>(admissible)));
+  double effects = 0;
   for (const Effect* effect : members)
-    if (!effect->not_recorded(experiment).empty()) candidate.score -= not_shown;
+    if (!effect->is_another_value()) effects += effect->effects_held();
+  const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
+  double prior = -0.5 * parameters * std::log(count) -
+                 effects * std::log(std::max<double>(2, static_cast<double>(admissible)));
+  // A number read off a part of the recording is told by the samples of that part alone.
+  if (const double read_off = candidate.fit.numbers_read_off(experiment); read_off > 0)
+    prior -= 0.5 * read_off * std::log(std::max(2.0, count / read_off));
+  for (const Effect* effect : members)
+    if (!effect->not_recorded(experiment).empty()) prior -= not_shown;
+  candidate.score_as_stated = prior - 0.5 * candidate.cost / overdispersion;
+  const OverLaws likely = over_laws(candidate, overdispersion);
+  candidate.score = prior + likely.log_likelihood;
+  candidate.fit.part_of_bound = likely.part_of_bound;
 }
 
 void score_all(SearchResult& result, const FitProblem& problem) {
   const Experiment& experiment = problem.experiment;
-  // Of what is left, not of the room that a mesh has.
+  // Of what is left, not of the room that a mesh or the bounds of laws have.
   const auto misfit = [&](const Candidate& of) {
-    return has_shared_error(problem) ? of.left(problem) : of.cost;
+    if (has_shared_error(problem)) return of.left(problem);
+    return of.costs.empty() ? of.cost : *std::min_element(of.costs.begin(), of.costs.end());
   };
   double least = misfit(result.alone);
   for (const auto& candidate : result.candidates) least = std::min(least, misfit(candidate));
@@ -54,6 +79,13 @@ void cost_explanation(Candidate& candidate, const FitProblem& problem, const Law
   const LawErrors::Cost cost = laws.cost(problem.samples, problem.noise, misfit.residual, misfit.errors);
   candidate.cost = cost.sum();
   candidate.room = cost.log_determinant;
+  candidate.costs.clear();
+  if (misfit.errors.of_laws.empty()) return;
+  for (const double part : parts_of_bound)
+    candidate.costs.push_back(part == 1 ? candidate.cost
+                                        : laws.cost(problem.samples, problem.noise, misfit.residual,
+                                                    laws_off_by(part, misfit.errors))
+                                              .sum());
 }
 
 /// In a case of finite elements only what enters there, or acts on any history.

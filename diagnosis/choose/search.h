@@ -13,11 +13,12 @@ namespace asperity {
 /// A set that was fitted.
 struct Candidate {
   ModelFit fit;
-  double cost = 0;  ///< -2 log likelihood, with what the laws may be off by (law_error.h) [-]
+  double cost = 0;  ///< -2 log likelihood, with what the laws state that they may be off by (law_error.h) [-]
   double room = 0;  ///< the part of it that is the log determinant of what they may be off by [-]
-  /// [-].
-  double score =
-      0;  ///< log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect
+  std::vector<double> costs;  ///< the same for each of parts_of_bound; empty: laws state nothing [-]
+  /// Log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect; of laws that
+  /// are off by what they state, or by any part of it [-].
+  double score_as_stated = 0, score = 0;
 
   /// -2 log likelihood of what is left: of a case that was slid beyond what its mesh may be off by, which the
   /// cost of every set allows for [-].
@@ -33,8 +34,9 @@ struct SearchResult {
   Candidate alone;                    ///< the simulation without any effect
   std::vector<Candidate> candidates;  ///< all sets that were fitted, the best first
   std::size_t admissible = 0;         ///< effects that these data could show
-  double overdispersion =
-      1;  ///< chi^2 of the best fit per sample, at least 1: by it evidence is tempered [-]
+  /// chi^2 of the best fit per sample, with what its laws are likely off by, at least 1: by it evidence is
+  /// tempered [-].
+  double overdispersion = 1;
 
   /// Whether a set is better than none.
   bool explains() const { return !candidates.empty() && candidates.front().score > alone.score; }

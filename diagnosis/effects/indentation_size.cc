@@ -58,6 +58,7 @@ class IndentationSize : public Effect {
                                      0.015};
     return d;
   }
+  int effects_held() const override { return 2; }  // bulk_plasticity, and its yield stress that varies
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     constexpr double least = 0.2;  // of the range: below, the yield stress hardly varies in what was recorded
     const double onset = e.hertz().peak_pressure(e.largest_force) / 1.6, range = e.largest_displacement;

@@ -2,8 +2,8 @@
 // over the period p:
 //   |f_l| <= mu f_n + A [frac(phase) - 1/2],  d phase/d s = 1/p on the mean.
 // Where events begin no law says (after a reversal, between defects, by chance): the phase is read off the
-// recording in windows of three periods (sliding_trace.h), each of which counts as a parameter. Where there
-// is no recording, events are counted from the middle of the stroke.
+// recording in windows of three periods (sliding_trace.h), each of which counts as a parameter that the
+// window's samples tell. Where there is no recording, events are counted from the middle of the stroke.
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -36,6 +36,8 @@ struct ModelFit {
   bool is_confirmed = false;
   double cost = 0;        ///< sum of Huber's costs of the whitened residuals of all samples [-]
   std::size_t count = 0;  ///< of whitened residuals
+  /// Part of what its laws state that they are likely off by, by what the fit leaves (root mean square) [-].
+  double part_of_bound = 1;
   /// Of the search coordinates, the last the zero of another surface where there is one; empty where it was
   /// not asked for.
   Eigen::MatrixXd covariance;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <random>
 
+#include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/search.h"
 #include "diagnosis/choose/tell_apart.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -42,6 +44,25 @@ FitProblem rows_of_rolling(double offset) {
   return problem;
 }
 
+/// Pressed 60 nm deep and let go, with the noise of the force.
+FitProblem pressed(const std::function<double(double)>& force) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  problem.choice = completed({}, problem.experiment);
+  problem.samples = test::approach_and_back(1 * nm, 60 * nm, 60);
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  constexpr double noise_of_force = 2e-6;
+  for (Sample& s : problem.samples.list)
+    s.response = force(s.normal_displacement) + noise_of_force * normal(random);
+  problem.noise.sd.assign(problem.samples.list.size(), noise_of_force);
+  problem.noise.shared.assign(1, {});
+  problem.thin = problem.samples;
+  problem.baseline_residual =
+      FitProblem::residual(problem.samples, fit_explanation(problem, {}).simulate(problem.samples));
+  return problem;
+}
+
 std::size_t largest_set(const SearchResult& found) {
   std::size_t most = 0;
   for (const Candidate& candidate : found.candidates)
@@ -62,17 +83,86 @@ TEST(SearchEffects_behaviour, stops_where_noise_is_left_and_goes_on_to_three_whe
   EXPECT_EQ(largest_set(searched(rows_of_rolling(5 * noise), never)), 3u);
 }
 
+/// Of a set's law errors at a part of what they state, done anew.
+double cost_at(const FitProblem& problem, const SearchResult& found, const Candidate& of, double part) {
+  const Misfit misfit = misfit_of(problem, of.fit, found.alone.fit);
+  return LawErrors(problem.samples)
+      .cost(problem.samples, problem.noise, misfit.residual, laws_off_by(part, misfit.errors))
+      .sum();
+}
+
 TEST(SearchEffects_analytic, scores_by_schwarz_with_a_prior_for_each_effect) {
   const FitProblem problem = rows_of_rolling(5 * noise);
   const SearchResult found = searched(problem, [](const ModelFit&) { return true; });
   const Candidate& best = found.candidates.front();
   EXPECT_EQ(best.fit.explanation->name(), "lateral_zero_offset");
-  EXPECT_EQ(found.overdispersion, std::max(1.0, best.cost / static_cast<double>(found.alone.fit.count)));
-  EXPECT_NEAR(best.score,
-              -0.5 * best.cost / found.overdispersion - 0.5 * std::log(problem.samples.list.size()) -
-                  std::log(found.admissible),
-              1e-9);
+  double least = found.alone.cost;
+  for (const Candidate& candidate : found.candidates)
+    for (const double cost : candidate.costs) least = std::min(least, cost);
+  EXPECT_NEAR(found.overdispersion, std::max(1.0, least / static_cast<double>(found.alone.fit.count)), 1e-12);
+  const double prior = -0.5 * std::log(problem.samples.list.size()) - std::log(found.admissible);
+  EXPECT_NEAR(best.score_as_stated, -0.5 * best.cost / found.overdispersion + prior, 1e-9);
   EXPECT_NEAR(found.alone.score, -0.5 * found.alone.cost / found.overdispersion, 1e-9);
+  // Laws may be off by any part of what they state.
+  double sum = 0, squares = 0;
+  for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
+    const double likely = std::exp(-0.5 * cost_at(problem, found, best, part) / found.overdispersion);
+    sum += likely, squares += likely * part * part;
+  }
+  EXPECT_NEAR(best.score, std::log(sum / 4) + prior, 1e-9);
+  EXPECT_NEAR(best.fit.part_of_bound, std::sqrt(squares / sum), 1e-9);
+}
+
+/// The yield stress of a body that yields, and how it varies: two effects in the prior, and one parameter for
+/// each.
+TEST(SearchEffects_analytic, an_effect_that_holds_another_counts_as_both) {
+  const FitProblem problem =
+      pressed([](double d) { return test::experiment(Motion::normal).hertz().force(d); });
+  const SearchResult found = searched(problem, [](const ModelFit&) { return false; });
+  const double count = static_cast<double>(problem.samples.list.size()), one = std::log(found.admissible);
+  int seen = 0;
+  for (const Candidate& candidate : found.candidates) {
+    const std::string name = candidate.fit.explanation->name();
+    const double effects = name == "bulk_plasticity" ? 1 : name == "indentation_size" ? 2 : 0;
+    if (effects == 0) continue;
+    ++seen;
+    EXPECT_NEAR(candidate.score_as_stated,
+                -0.5 * candidate.cost / found.overdispersion - std::log(count) - effects * one, 1e-9)
+        << name;
+  }
+  EXPECT_EQ(seen, 2);
+}
+
+/// What a second effect lets the first state less is no gain of it.
+TEST(JudgedSets_behaviour, a_member_earns_nothing_by_what_the_others_state_less) {
+  const Hertz hertz = test::experiment(Motion::normal).hertz();
+  const FitProblem problem =
+      pressed([&](double d) { return 0.7 * hertz.force(std::max(0.0, d - 1.5 * nm)); });
+  SearchResult found = searched(problem, [](const ModelFit&) { return false; });
+  const Scanner scanner(problem.samples, problem.experiment, problem.noise, 1);
+  const Blocks blocks = blocks_of(problem.samples);
+  const HeldOut alone = predict_held_out(problem, finished(problem, found.alone.fit), blocks);
+  const auto candidate = [&](const std::string& name) -> Candidate& {
+    return *std::find_if(found.candidates.begin(), found.candidates.end(),
+                         [&](const Candidate& c) { return c.fit.explanation->name() == name; });
+  };
+  const std::string both = "effective_radius + contact_point_offset";
+  const auto is_named = [&] {
+    const JudgedSets judged = judged_sets(problem, found, scanner, blocks, alone);
+    return std::any_of(judged.list.begin(), judged.list.end(),
+                       [&](const JudgedSet& set) { return set.candidate->fit.explanation->name() == both; });
+  };
+  EXPECT_TRUE(is_named());
+  Candidate &radius = candidate("effective_radius"), &pair = candidate(both);
+  const Candidate& offset = candidate("contact_point_offset");
+  pair.score_as_stated = std::max(radius.score_as_stated, offset.score_as_stated) + 10;
+  pair.room = std::max(radius.room, offset.room);
+  EXPECT_TRUE(is_named());
+  pair.room = radius.room - 20 * found.overdispersion;  // ten in log evidence
+  radius.fit.part_of_bound = 0.1;
+  EXPECT_FALSE(is_named());
+  radius.fit.part_of_bound = 0.9;  // it needs what it states
+  EXPECT_TRUE(is_named());
 }
 
 /// An explanation with given parameters, in the order of Explanation::parameters().

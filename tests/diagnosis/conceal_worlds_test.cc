@@ -330,7 +330,9 @@ TEST(ConcealedNoise_analytic, is_the_share_of_the_largest_response_that_was_aske
       largest = std::max(largest, std::abs(without[i])), square += std::pow(with[i] - without[i], 2);
     EXPECT_NEAR(std::sqrt(square / double(with.size())) / (0.02 * largest), 1, 0.08);
     ASSERT_EQ(noisy.recording.noise.count("lateral_force"), seed % 3 == 0 ? 1u : 0u);
-    if (seed % 3 == 0) EXPECT_NEAR(noisy.recording.noise.at("lateral_force") / (0.02 * largest), 1, 1e-12);
+    if (seed % 3 == 0) {
+      EXPECT_NEAR(noisy.recording.noise.at("lateral_force") / (0.02 * largest), 1, 1e-12);
+    }
   }
   const ConcealedRecording series = conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0.01, 1, ""}),
                            quiet = conceal({Motion::rolling, {"rolling_adhesion_offset"}, 0, 1, ""});

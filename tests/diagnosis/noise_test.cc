@@ -67,7 +67,9 @@ TEST(SharedNoise_analytic, deviation_share_and_memory_are_measured_from_noise) {
     const MeasuredNoise found = measured_noise(samples, noise, std::vector<double>(count, 2.0), 0);
     EXPECT_NEAR(found.sd, 1.5, 0.04);
     EXPECT_NEAR(found.shared.neighbours(), shared.neighbours(), 0.03);
-    if (shared.share > 0) EXPECT_NEAR(found.shared.memory, shared.memory, 0.11);
+    if (shared.share > 0) {
+      EXPECT_NEAR(found.shared.memory, shared.memory, 0.11);
+    }
   }
 }
 

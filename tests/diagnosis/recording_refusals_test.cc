@@ -45,13 +45,15 @@ std::string said_after(const Change& change) {
   return "";
 }
 
-#define EXPECT_SAID(part, change)                                                                           \
-  {                                                                                                         \
-    const std::string said = said_after([](Recording& r, RecordingTable& t) { (void)r, (void)t, change; }); \
-    EXPECT_NE(said.find(part), std::string::npos) << #change << ": " << said;                               \
+#define EXPECT_SAID(part, change)                                                              \
+  {                                                                                            \
+    const std::string said =                                                                   \
+        said_after([](Recording& r, RecordingTable& t) { (void)r, (void)t, (void)(change); }); \
+    EXPECT_NE(said.find(part), std::string::npos) << #change << ": " << said;                  \
   }
-#define EXPECT_TAKEN(change) \
-  EXPECT_EQ(said_after([](Recording& r, RecordingTable& t) { (void)r, (void)t, change; }), "") << #change
+#define EXPECT_TAKEN(change)                                                                           \
+  EXPECT_EQ(said_after([](Recording& r, RecordingTable& t) { (void)r, (void)t, (void)(change); }), "") \
+      << #change
 
 TEST(RecordingRules_behaviour, ask_for_bodies_that_can_be) {
   EXPECT_TAKEN(0);

@@ -66,7 +66,9 @@ TEST(RoughSphereNightly_other_code, is_a_layer_of_asperities_and_nothing_is_name
     const Diagnosis d = diagnose(rough_sphere(entry.path(), 250 * uN, 0.003, 7));
     const auto is_layer = [](const DiagnosedEffect& effect) { return effect.id == "roughness_compliance"; };
     const bool layer_alone = d.left_out.size() == 1 && is_layer(d.left_out[0]);
-    if (d.verdict == Verdict::explained) EXPECT_TRUE(layer_alone) << diagnosis_json(d);
+    if (d.verdict == Verdict::explained) {
+      EXPECT_TRUE(layer_alone) << diagnosis_json(d);
+    }
     ++spheres, named += layer_alone;
   }
   EXPECT_EQ(spheres, 8);

@@ -142,7 +142,9 @@ TEST(Views_analytic, cut_a_trace_into_bins_of_equal_count_along_its_displacement
   for (std::size_t b = 0; b < 48; ++b) {
     const Bin& bin = load->bins[b];
     EXPECT_TRUE(bin.samples.size() == 8 || bin.samples.size() == 9) << b;
-    if (b > 0) EXPECT_GT(bin.from, load->bins[b - 1].to);
+    if (b > 0) {
+      EXPECT_GT(bin.from, load->bins[b - 1].to);
+    }
     seen.insert(bin.samples.begin(), bin.samples.end());
   }
   EXPECT_EQ(seen.size(), 399u);

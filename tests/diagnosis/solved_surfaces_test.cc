@@ -127,7 +127,9 @@ TEST(SolvedSurfaces_behaviour, local_friction_by_roughness_is_told_from_attracti
   EXPECT_NEAR(by_attraction.parameters[0].value, attraction, 0.06 * attraction);
   // The corrected case has the friction of its own surface.
   for (const CorrectedEntry& entry : d.corrected())
-    if (entry.entry == "Interface/Friction coefficient") EXPECT_NEAR(entry.value, 0.4, 0.01);
+    if (entry.entry == "Interface/Friction coefficient") {
+      EXPECT_NEAR(entry.value, 0.4, 0.01);
+    }
 }
 
 TEST(SolvedSurfaces_behaviour, a_case_whose_roughness_cannot_follow_is_refused_with_the_remedy) {

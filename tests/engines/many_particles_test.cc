@@ -186,7 +186,9 @@ void expect_law(const Contact& found, const PairLaw& law, double effective_radiu
   EXPECT_NEAR(found.force / wanted.force, 1, asked);
   EXPECT_NEAR(found.sliding / wanted.sliding, 1, asked);
   EXPECT_NEAR(found.rolling / wanted.rolling, 1, asked);
-  if (twists) EXPECT_NEAR(found.torsion / wanted.torsion, 1, asked);
+  if (twists) {
+    EXPECT_NEAR(found.torsion / wanted.torsion, 1, asked);
+  }
 }
 
 std::string file_of(const WrittenEngine& engine, const MaterialMatrix& matrix) {

@@ -1,0 +1,199 @@
+// What a law states that it may be off by is a bound: one that fits is not passed over for one that states
+// less, and one that is off within its bound is not mended by a second. Truths of other formulas and of
+// another program.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "core/shear_moduli.h"
+#include "diagnosis/choose/law_error.h"
+#include "diagnosis/diagnose.h"
+#include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/tabulated_yielding.h"
+
+namespace asperity {
+namespace {
+
+using test::nm;
+using test::uN;
+
+/// Rows of one table with its time.
+class Rows {
+ public:
+  explicit Rows(unsigned seed) : random_(seed) {
+    table.file = "indentation.csv";
+    table.control = {"normal_displacement"};
+    table.response = "normal_force";
+  }
+  void add(int run, const char* segment, double displacement, double force, double noise) {
+    table.columns["run"].push_back(run);
+    table.columns["time"].push_back(0.1 * static_cast<double>(table.segment.size()));
+    table.columns["normal_displacement"].push_back(displacement);
+    table.columns["normal_force"].push_back(force + noise * normal_(random_));
+    table.segment.emplace_back(segment);
+  }
+  RecordingTable table;
+
+ private:
+  std::mt19937 random_;
+  std::normal_distribution<double> normal_;
+};
+
+Recording recorded(const Rows& rows, const RecordedBody& substrate) {
+  Recording r;
+  r.mode = Motion::normal;
+  r.particle = test::borosilicate();
+  r.substrate = substrate;
+  r.tables = {rows.table};
+  return r;
+}
+
+/// King 1987, as in Saha & Nix 2002: compliances weighted by exp(-t/a). Not the law of the catalogue's film.
+double coated_by_king(double d, double softer, double thickness) {
+  if (d <= 0) return 0;
+  const Hertz bodies = test::experiment(Motion::normal).hertz();
+  const double radius = std::sqrt(bodies.radius * d), weight = std::exp(-thickness / radius);
+  const double compliance =
+      (1 - weight) / (softer * bodies.reduced_modulus) + weight / bodies.reduced_modulus;
+  return 4.0 / 3 * radius * d / compliance;
+}
+
+TEST(LawBounds_other_code, a_soft_film_by_another_formula_is_a_film) {
+  for (const auto& [softer, thickness] : {std::pair{0.15, 250 * nm}, {0.3, 350 * nm}}) {
+    Rows rows(3);
+    const double deepest = 17 * nm, noise = 0.003 * coated_by_king(deepest, softer, thickness);
+    for (int i = -20; i < 100; ++i)
+      rows.add(1, "load", 0.01 * i * deepest, coated_by_king(0.01 * i * deepest, softer, thickness), noise);
+    for (int i = 100; i > -20; --i)
+      rows.add(1, "unload", 0.01 * i * deepest, coated_by_king(0.01 * i * deepest, softer, thickness), noise);
+    const Diagnosis d = diagnose(recorded(rows, test::silicon()));
+    EXPECT_EQ(d.verdict, Verdict::explained) << softer << diagnosis_json(d);
+    ASSERT_EQ(d.left_out.size(), 1u) << softer << diagnosis_json(d);
+    EXPECT_EQ(d.left_out[0].id, "film") << softer;
+  }
+}
+
+TEST(LawBounds_other_code, yielding_held_at_three_depths_is_yielding_alone) {
+  constexpr double yield = 0.46e9, soft = 35.5e9;
+  const test::TabulatedYielding truth(yield, 8.5e-6, soft);
+  RecordedBody rigid = test::diamond();
+  rigid.youngs_modulus = 1e15, rigid.poissons_ratio = 0.3;
+  for (const unsigned seed : {1u, 2u}) {
+    Rows rows(seed);
+    int run = 0;
+    for (const std::size_t row : {1u, 2u, 3u}) {
+      const double deepest = truth.peak(row), noise = 0.005 * truth.loading(truth.peak(3));
+      ++run;
+      for (int i = 1; i <= 100; ++i)
+        rows.add(run, "load", 0.01 * i * deepest, truth.loading(0.01 * i * deepest), noise);
+      for (int i = 0; i < 40; ++i) rows.add(run, "hold", deepest, truth.loading(deepest), noise);
+      for (int i = 99; i >= 0; --i)
+        rows.add(run, "unload", 0.01 * i * deepest, truth.unloading(0.01 * i * deepest, row), noise);
+    }
+    Recording recording = recorded(rows, rigid);
+    recording.particle.youngs_modulus = soft;
+    const Diagnosis d = diagnose(recording);
+    ASSERT_EQ(d.left_out.size(), 1u) << seed << diagnosis_json(d);
+    EXPECT_EQ(d.left_out[0].id, "bulk_plasticity") << seed;
+    EXPECT_NEAR(d.left_out[0].parameters[0].value / yield, 1, 0.05) << seed;
+  }
+}
+
+/// Loops under three loads whose events of slip are smaller than twice the noise.
+Recording loops_of_small_events(double drop, double period, double noise) {
+  Recording r;
+  r.mode = Motion::sliding;
+  r.particle = test::borosilicate();
+  r.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "loops.csv";
+  table.control = {"lateral_displacement", "normal_force"};
+  table.response = "lateral_force";
+  std::mt19937 random(21);
+  std::normal_distribution<double> normal;
+  const Experiment e = test::experiment(Motion::sliding);
+  double left = 0, spacing = period, x = 0;
+  for (const double load : {50 * uN, 100 * uN, 200 * uN}) {
+    const double step = 4 * nm;
+    const double spring = 8 * reduced_shear_modulus(e.particle, e.substrate) * e.hertz().contact_radius(load);
+    double force = 0;
+    for (int half = 0; half < 6; ++half)
+      for (int i = 0; i < 120; ++i) {
+        const int direction = half % 2 == 0 ? 1 : -1;
+        x += direction * step;
+        if ((left -= step) <= 0) left += spacing = period * (1 + 0.04 * normal(random));
+        const double limit = 0.3 * load + drop * (0.5 - left / spacing);
+        force = std::clamp(force + spring * direction * step, -limit, limit);
+        table.columns["run"].push_back(std::round(load / (50 * uN)));
+        table.columns["cycle"].push_back(half / 2);
+        table.columns["time"].push_back(0.01 * static_cast<double>(table.segment.size()));
+        table.columns["lateral_displacement"].push_back(x);
+        table.columns["normal_force"].push_back(load);
+        table.columns["lateral_force"].push_back(force + noise * normal(random));
+        table.segment.emplace_back(direction > 0 ? "forward" : "backward");
+      }
+  }
+  r.tables = {table};
+  return r;
+}
+
+TEST(LawBounds_analytic, phases_count_by_the_samples_that_tell_them) {
+  const double drop = 2 * uN, period = 85 * nm;
+  const Diagnosis d = diagnose(loops_of_small_events(drop, period, 1.1 * uN));
+  ASSERT_EQ(d.left_out.size(), 1u) << diagnosis_json(d);
+  EXPECT_EQ(d.left_out[0].id, "stick_slip");
+  EXPECT_NEAR(d.left_out[0].parameters[0].value / drop, 1, 0.3);
+  EXPECT_NEAR(d.left_out[0].parameters[1].value / period, 1, 0.05);
+}
+
+TEST(LawBounds_behaviour, noise_without_events_is_no_stick_slip) {
+  EXPECT_EQ(diagnose(loops_of_small_events(0, 85 * nm, 1.1 * uN)).verdict, Verdict::no_mismatch);
+}
+
+/// Of an instrument the data say how far it is off its law, of a contact its law does.
+TEST(LawBounds_analytic, accuracy_is_what_the_data_show_of_an_instrument_and_what_a_contact_states) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  problem.choice = completed({}, problem.experiment);
+  const auto accuracy = [&](const std::vector<const char*>& names, double part) {
+    std::vector<const Effect*> effects;
+    for (const char* name : names) effects.push_back(&effect_of(name));
+    ModelFit fit;
+    fit.explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
+    fit.part_of_bound = part;
+    return accuracy_of(problem, fit);
+  };
+  const double of_compliance = effect_of("instrument_compliance").description().accuracy,
+               of_yielding = effect_of("bulk_plasticity").description().accuracy;
+  EXPECT_NEAR(accuracy({"instrument_compliance"}, 0.25), 0.25 * of_compliance, 1e-15);
+  EXPECT_EQ(accuracy({"bulk_plasticity"}, 0.25), of_yielding);
+  EXPECT_EQ(accuracy({"bulk_plasticity", "instrument_compliance"}, 0.25), of_yielding);
+}
+
+TEST(LawBounds_behaviour, a_compliance_is_known_as_well_as_the_noise_lets_it) {
+  // d = d_Hertz + C f: 6 nm of 40 nm at the largest load, noise of 0.5 %.
+  const Hertz hertz = test::experiment(Motion::normal).hertz();
+  const double largest = 2000 * uN, compliance = 6 * nm / largest;
+  int covered = 0;
+  for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+    Rows rows(seed);
+    for (int i = 1; i <= 200; ++i) {
+      const double force = largest * std::pow(1 - std::abs(i - 100) / 101.0, 1.5);
+      rows.add(1, i <= 100 ? "load" : "unload", hertz.approach(force) + compliance * force, force,
+               0.005 * largest);
+    }
+    const Diagnosis d = diagnose(recorded(rows, test::silicon()));
+    ASSERT_EQ(d.left_out.size(), 1u) << seed << diagnosis_json(d);
+    ASSERT_EQ(d.left_out[0].id, "instrument_compliance") << seed;
+    const DiagnosedParameter& found = d.left_out[0].parameters[0];
+    EXPECT_LT(found.high - found.low, 0.06 * compliance) << seed;
+    covered += found.low <= compliance && compliance <= found.high;
+  }
+  EXPECT_GE(covered, 3);
+}
+
+}  // namespace
+}  // namespace asperity
