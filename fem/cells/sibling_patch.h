@@ -44,14 +44,19 @@ inline Sixteen joined_fours(const Four (&part)[4]) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
+/// The first of three components of a node.
+inline const float* first_of(const float* field, int node) {
+  return field + 3 * static_cast<std::ptrdiff_t>(node);
+}
+
 /// Reads three components, and one number behind them, of each node.
 inline void load_patch(const PatchNodes& node, const float* field, PatchGrid (&grid)[3]) {
   for (int half = 0; half < 2; ++half) {
     Four x[4] = {}, y[4] = {}, z[4] = {};
     for (int t = 0; t < 4 - half; ++t) {
       const int* n = node.data() + 16 * half + 4 * t;
-      const Four a = load_four(field + 3 * n[0]), b = load_four(field + 3 * n[1]);
-      const Four c = load_four(field + 3 * n[2]), d = load_four(field + 3 * n[3]);
+      const Four a = load_four(first_of(field, n[0])), b = load_four(first_of(field, n[1]));
+      const Four c = load_four(first_of(field, n[2])), d = load_four(first_of(field, n[3]));
       const Four low_ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
       const Four low_cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
       const Four high_ab = __builtin_shufflevector(a, b, 2, 6, 3, 7);
@@ -91,7 +96,7 @@ constexpr std::make_integer_sequence<int, 16> all_lanes{};
 template <int... pair>
 inline void to_vertices(const PatchGrid& a, const PatchGrid& b, Sixteen (&values)[8],
                         std::integer_sequence<int, pair...>) {
-  const auto one = [&](int p, const Sixteen& of_a, const Sixteen& of_b) {
+  const auto one = [&](std::ptrdiff_t p, const Sixteen& of_a, const Sixteen& of_b) {
     values[2 * p] =
         __builtin_shufflevector(of_a, of_b, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
     values[2 * p + 1] =

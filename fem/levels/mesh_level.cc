@@ -31,7 +31,7 @@ void MeshLevel::add_to_batch(const Cell& cell, int index) {
   CellBatch& batch = batches_[index];
   std::vector<global_dof_index> indices(3 * vertices_per_hex);
   cell->get_dof_indices(indices);
-  for (int v = 0; v < vertices_per_hex; ++v) {
+  for (std::size_t v = 0; v < vertices_per_hex; ++v) {
     const unsigned local = partitioner_->global_to_local(indices[3 * v]);
     if (local % 3 != 0 || indices[3 * v + 2] != indices[3 * v] + 2)
       throw WorkError(
@@ -130,7 +130,8 @@ void MeshLevel::collect_interfaces() {
                          static_cast<int>(std::lround(box.corner[1] * unit)),
                          static_cast<int>(std::lround(box.size * unit)),
                          {}};
-      for (int v = 0; v < 4; ++v) face.node[v] = static_cast<long>(indices[3 * (v + (f == 5 ? 4 : 0))] / 3);
+      for (std::size_t v = 0; v < 4; ++v)
+        face.node[v] = static_cast<long>(indices[3 * (v + (f == 5 ? 4 : 0))] / 3);
       own.push_back(face);
     }
   }
@@ -168,10 +169,10 @@ Vector<double> MeshLevel::node_positions(const meshing::RoughGeometry& geometry)
     if (!cell->is_locally_owned()) continue;
     cell->get_dof_indices(indices);
     const auto box = meshing::logical_box(cell);
-    for (int v = 0; v < vertices_per_hex; ++v) {
+    for (std::size_t v = 0; v < vertices_per_hex; ++v) {
       if (!partitioner_->in_local_range(indices[3 * v])) continue;
-      const auto p = geometry.position(box.tree, box.vertex(v));
-      for (int c = 0; c < 3; ++c) positions(indices[3 * v + c]) = p[c];
+      const auto p = geometry.position(box.tree, box.vertex(static_cast<int>(v)));
+      for (std::size_t c = 0; c < 3; ++c) positions(indices[3 * v + c]) = p[c];
     }
   }
   // Hanging nodes lie on the edge or face of their coarser neighbour, so that the bodies have no gaps inside.

@@ -27,7 +27,7 @@ Plasticity make_plasticity(const BodyInput& body) {
 MaterialObjection objection_to(const BodyInput& body) {
   const LawValues values = with_defaults(parameters_of(material_laws()), body.parameters);
   for (const auto& law : material_laws()) {
-    const MaterialObjection objection =
+    MaterialObjection objection =
         law.objection ? law.objection(body.youngs_modulus, values) : MaterialObjection{};
     if (!objection.sentence.empty()) return objection;
   }

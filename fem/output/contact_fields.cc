@@ -34,8 +34,9 @@ std::vector<float> plastic_strain_at_nodes(const ShownState& shown) {
   for (const auto& batch : level.batches())
     for (int l = 0; l < batch.count; ++l, ++cell)
       for (const auto& node : batch.node) {
-        sum.begin()[3 * node[l]] += cell->plastic_strain;
-        sum.begin()[3 * node[l] + 1] += 1;
+        double* of_node = sum.begin() + 3 * static_cast<std::ptrdiff_t>(node[l]);
+        of_node[0] += cell->plastic_strain;
+        of_node[1] += 1;
       }
   sum.compress(dealii::VectorOperation::add);
   sum.update_ghost_values();

@@ -28,7 +28,7 @@ void for_owned_cells(const MeshLevel& level, const Visit& visit) {
     if (!cell->is_locally_owned()) continue;
     cell->get_dof_indices(indices);
     CellNodes nodes;
-    for (int v = 0; v < 8; ++v) nodes[v] = static_cast<long>(indices[3 * v] / 3);
+    for (std::size_t v = 0; v < 8; ++v) nodes[v] = static_cast<long>(indices[3 * v] / 3);
     visit(meshing::logical_box(cell), nodes);
   }
 }

@@ -101,7 +101,7 @@ void ParallelepipedBatches::load(const Siblings& siblings, const float* x, Patch
   std::array<float, 3 * patch_nodes + 1> copy{};
   for (int s = 0; s < patch_nodes; ++s) {
     place[s] = s;
-    std::copy_n(x + 3 * siblings.node[s], 3, copy.data() + 3 * s);
+    std::copy_n(first_of(x, siblings.node[s]), 3, copy.data() + 3 * static_cast<std::ptrdiff_t>(s));
   }
   place[patch_nodes] = patch_nodes - 1;
   load_patch(place, copy.data(), grid);
