@@ -20,8 +20,6 @@ namespace {
 /// Part of the excess of held-out data that one, two, three effects must take away to be named though
 /// structure remains: with more of them, something that none of them is can be imitated better.
 constexpr double part_that_counts[] = {0, 0.7, 0.95, 0.98};
-/// How much worse held-out data may be predicted, relative, by an explanation that counts as equal.
-constexpr double held_out_equal = 1.05;
 
 class Diagnoser {
  public:
@@ -210,27 +208,24 @@ class Diagnoser {
     result_.left_out = described_effects(problem_, chosen.fit, 1 / weight);
     const std::string advice = what_would_show(chosen);
     bool ambiguous = !advice.empty();
+    std::string tells_apart = advice;
     for (const JudgedSet* rival : rivals) {
-      const double difference = chosen.candidate->score - rival->candidate->score;
-      const bool predicts_as_well =
-          rival->held_out.cost <=
-          held_out_equal * std::max(1.0, chosen.held_out.cost);  // below 1 both are noise
+      const Rivalry beside = rivalry(chosen, *rival);
       AlternativeExplanation alternative;
-      alternative.probability = std::exp(-difference) / weight;
+      alternative.probability = std::exp(-beside.difference) / weight;
       alternative.held_out_chi2_reduced = rival->held_out.chi2_reduced;
       alternative.effects = described_effects(problem_, rival->fit, alternative.probability);
-      if (difference < as_good && predicts_as_well) ambiguous = true;
-      if (difference < 2 * as_good && predicts_as_well)
-        alternative.told_apart_by = experiment_that_tells_apart(problem_, chosen.fit, rival->fit);
-      else
-        alternative.told_apart_by = "these data distinguish them";
+      alternative.told_apart_by = beside.is_near
+                                      ? experiment_that_tells_apart(problem_, chosen.fit, rival->fit)
+                                      : "these data distinguish them";
+      ambiguous = ambiguous || beside.is_as_good;
+      if (beside.is_as_good && tells_apart.empty()) tells_apart = alternative.told_apart_by;
       result_.alternatives.push_back(alternative);
     }
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;
     if (ambiguous) {
-      const AlternativeExplanation first{
-          result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
-          advice.empty() ? result_.alternatives.front().told_apart_by : advice};
+      const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
+                                         tells_apart};
       result_.alternatives.insert(result_.alternatives.begin(), first);
     }
     compare(chosen.fit);

@@ -106,6 +106,15 @@ bool JudgedSet::is_part_of(const JudgedSet& other) const {
   });
 }
 
+Rivalry rivalry(const JudgedSet& chosen, const JudgedSet& other) {
+  constexpr double equal = 1.05;  // of held-out cost, which is noise below 1
+  const double difference = chosen.candidate->score - other.candidate->score;
+  const bool predicts_as_well = other.held_out.cost <= equal * std::max(1.0, chosen.held_out.cost);
+  const bool would_be_ahead = other.candidate->score_as_stated > chosen.candidate->score_as_stated;
+  return {difference, (difference < as_good && predicts_as_well) || would_be_ahead,
+          (difference < 2 * as_good && predicts_as_well) || would_be_ahead};
+}
+
 JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
                        const Blocks& blocks, const HeldOut& baseline_held_out,
                        const std::function<bool(const ModelFit&)>& is_no_effect) {

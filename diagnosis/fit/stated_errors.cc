@@ -36,11 +36,14 @@ std::vector<LawError> mesh_errors(const ModelFit& fit, const Samples& samples) {
 LikelyPart likely_part(const MatrixXd& B, const VectorXd& residual) {
   LikelyPart part{VectorXd::Zero(B.cols()), residual};
   MatrixXd H;
+  VectorXd weight;
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
-    VectorXd weight = VectorXd::Ones(B.rows());
+    VectorXd anew = VectorXd::Ones(B.rows());
     for (Eigen::Index row = 0; row < B.rows(); ++row)
-      if (std::abs(part.left[row]) > huber_bend) weight[row] = huber_bend / std::abs(part.left[row]);
+      if (std::abs(part.left[row]) > huber_bend) anew[row] = huber_bend / std::abs(part.left[row]);
+    if (round > 0 && anew == weight) break;
+    weight = std::move(anew);
     const MatrixXd W = weight.asDiagonal() * B;
     H = MatrixXd::Identity(B.cols(), B.cols());
     H.noalias() += B.transpose() * W;
