@@ -54,7 +54,7 @@ inline void load_patch(const PatchNodes& node, const float* field, PatchGrid (&g
   for (int half = 0; half < 2; ++half) {
     Four x[4] = {}, y[4] = {}, z[4] = {};
     for (int t = 0; t < 4 - half; ++t) {
-      const int* n = node.data() + 16 * half + 4 * t;
+      const int* n = node.data() + static_cast<std::ptrdiff_t>(16 * half + 4 * t);
       const Four a = load_four(first_of(field, n[0])), b = load_four(first_of(field, n[1]));
       const Four c = load_four(first_of(field, n[2])), d = load_four(first_of(field, n[3]));
       const Four low_ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
