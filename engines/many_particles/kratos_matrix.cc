@@ -49,11 +49,13 @@ std::string kratos_matrix(const MaterialMatrix& matrix) {
     variables["POISSON_RATIO"] = m.poissons_ratio;
     json["materials"].push_back(
         {{"material_name", m.name}, {"material_id", i + 1}, {"Variables", variables}});
-    for (std::size_t j = i; j < matrix.materials.size(); ++j)
-      json["material_relations"].push_back({{"material_names_list", {m.name, matrix.materials[j].name}},
-                                            {"material_ids_list", {i + 1, j + 1}},
-                                            {"Variables", relation(matrix, matrix.pair(i, j).law)}});
   }
+  each_pair(matrix, [&](std::size_t i, std::size_t j) {
+    json["material_relations"].push_back(
+        {{"material_names_list", {matrix.materials[i].name, matrix.materials[j].name}},
+         {"material_ids_list", {i + 1, j + 1}},
+         {"Variables", relation(matrix, matrix.pair(i, j).law)}});
+  });
   constexpr bool ascii_only = true;  // whatever reads it, and in whatever encoding
   return json.dump(1, ' ', ascii_only, Json::error_handler_t::replace) + "\n";
 }

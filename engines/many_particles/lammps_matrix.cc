@@ -67,10 +67,10 @@ std::string lammps_matrix(const MaterialMatrix& matrix) {
       header_text(matrix, header, lammps_comment) + "\n# Behind the box of " +
       std::to_string(matrix.materials.size()) +
       " types (boundary f f f or p p p, newton off, comm_modify vel yes).\npair_style granular\n";
-  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
-    for (std::size_t j = i; j < matrix.materials.size(); ++j)
-      text += "pair_coeff " + std::to_string(i + 1) + " " + std::to_string(j + 1) + " " +
-              law_text(matrix, i, j, matrix.pair_radius()) + "\n";
+  each_pair(matrix, [&](std::size_t i, std::size_t j) {
+    text += "pair_coeff " + std::to_string(i + 1) + " " + std::to_string(j + 1) + " " +
+            law_text(matrix, i, j, matrix.pair_radius()) + "\n";
+  });
   text +=
       "\n# A plane of type j, for the particles of each type i: group type_i type i\n"
       "#   fix floor_i type_i wall/gran granular ${on_plane_i_j} zplane 0 NULL\n";

@@ -13,13 +13,6 @@ namespace {
 
 std::string percent(double error) { return printed("%+.1f %%", 100 * error); }
 
-/// Calls do(i, j) for every pair once.
-template <class Do>
-void each_pair(const MaterialMatrix& matrix, const Do& act) {
-  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
-    for (std::size_t j = i; j < matrix.materials.size(); ++j) act(i, j);
-}
-
 /// E* and G* follow from E and nu here: what that makes of each pair.
 void compare_moduli(const MaterialMatrix& matrix, MatrixHeader& header) {
   constexpr double agrees = 1e-3;

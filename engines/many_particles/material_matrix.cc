@@ -193,11 +193,10 @@ MaterialMatrix material_matrix(const std::vector<ContactParameters>& records, co
                        printable(record.target.material) + "' is in a record before; give each pair once");
   }
   choose_radii_and_load(matrix, records, options);
-  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
-    for (std::size_t j = i; j < matrix.materials.size(); ++j) {
-      const auto entry = found.find({i, j});
-      matrix.pairs.push_back(entry != found.end() ? entry->second : mixed(matrix, found, i, j));
-    }
+  each_pair(matrix, [&](std::size_t i, std::size_t j) {
+    const auto entry = found.find({i, j});
+    matrix.pairs.push_back(entry != found.end() ? entry->second : mixed(matrix, found, i, j));
+  });
   return matrix;
 }
 

@@ -69,6 +69,13 @@ struct MaterialMatrix {
   std::size_t wall() const;
 };
 
+/// Calls act(i, j) for every pair once: i <= j, row by row.
+template <class Act>
+void each_pair(const MaterialMatrix& matrix, const Act& act) {
+  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
+    for (std::size_t j = i; j < matrix.materials.size(); ++j) act(i, j);
+}
+
 /// From one record or more. Throws InputError for a record without the names of its materials, two that say
 /// different things of one material or one pair, a pair that can be neither found nor mixed, and a record
 /// that lacks what an engine needs.

@@ -19,23 +19,22 @@ std::string material_line(const MatrixMaterial& m, std::size_t index) {
 
 void add_pairs(std::vector<std::string>& all, const MaterialMatrix& matrix) {
   all.push_back("Pairs; limits over the normal force F, R_e = R1 R2/(R1 + R2), at a plane R:");
-  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
-    for (std::size_t j = i; j < matrix.materials.size(); ++j) {
-      const MaterialPair& pair = matrix.pair(i, j);
-      const PairLaw& law = pair.law;
-      std::string text = "  " + pair_name(matrix, i, j) + ": E* = " + short_number(law.reduced_modulus) +
-                         " Pa, G* = " + short_number(law.shear_modulus) + " Pa, friction " +
-                         short_number(law.sliding);
-      text += law.rolling > 0 ? ", rolling " + short_number(law.rolling) + " R_e, " +
-                                    short_number(law.rolling_stiffness) + " N/m R_e^2"
-                              : ", no rolling resistance";
-      text += law.torsion > 0 ? ", torsion " + short_number(law.torsion) + " R_e, " +
-                                    short_number(law.torsion_stiffness) + " N/m R_e^2"
-                              : ", no torsion resistance";
-      all.push_back(text);
-      all.push_back("    from " + pair.origin);
-      for (const auto& line : pair.not_expressed) all.push_back("    not expressed: " + line);
-    }
+  each_pair(matrix, [&](std::size_t i, std::size_t j) {
+    const MaterialPair& pair = matrix.pair(i, j);
+    const PairLaw& law = pair.law;
+    std::string text = "  " + pair_name(matrix, i, j) + ": E* = " + short_number(law.reduced_modulus) +
+                       " Pa, G* = " + short_number(law.shear_modulus) + " Pa, friction " +
+                       short_number(law.sliding);
+    text += law.rolling > 0 ? ", rolling " + short_number(law.rolling) + " R_e, " +
+                                  short_number(law.rolling_stiffness) + " N/m R_e^2"
+                            : ", no rolling resistance";
+    text += law.torsion > 0 ? ", torsion " + short_number(law.torsion) + " R_e, " +
+                                  short_number(law.torsion_stiffness) + " N/m R_e^2"
+                            : ", no torsion resistance";
+    all.push_back(text);
+    all.push_back("    from " + pair.origin);
+    for (const auto& line : pair.not_expressed) all.push_back("    not expressed: " + line);
+  });
 }
 
 }  // namespace

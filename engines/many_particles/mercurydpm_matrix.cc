@@ -44,12 +44,12 @@ std::string mercurydpm_matrix(const MaterialMatrix& matrix) {
       text += name(i) + "->setDensity(" + text_number(matrix.materials[i].density) + ");\n";
     text += settings(matrix, i, i, name(i));
   }
-  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
-    for (std::size_t j = i + 1; j < matrix.materials.size(); ++j) {
-      const std::string mixed = name(i) + "_" + std::to_string(j + 1);
-      text += "auto " + mixed + " = problem.speciesHandler.getMixedObject(" + name(i) + ", " + name(j) +
-              ");\n" + settings(matrix, i, j, mixed);
-    }
+  each_pair(matrix, [&](std::size_t i, std::size_t j) {
+    if (i == j) return;
+    const std::string mixed = name(i) + "_" + std::to_string(j + 1);
+    text += "auto " + mixed + " = problem.speciesHandler.getMixedObject(" + name(i) + ", " + name(j) +
+            ");\n" + settings(matrix, i, j, mixed);
+  });
   return text;
 }
 

@@ -25,14 +25,13 @@ std::string musen_matrix(const MaterialMatrix& matrix) {
   text +=
       "# Materials editor, interactions; contact model Hertz-Mindlin; rolling of two particles, and at a "
       "wall\n";
-  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
-    for (std::size_t j = i; j < matrix.materials.size(); ++j) {
-      const PairLaw& law = matrix.pair(i, j).law;
-      text += printable(matrix.materials[i].name) + " and " + printable(matrix.materials[j].name) +
-              ": Sliding friction [-] " + text_number(law.sliding) + ", Rolling friction [-] " +
-              text_number(law.rolling / 2) + " (wall " + text_number(law.rolling) +
-              "), Restitution coefficient [-] " + text_number(matrix.restitution) + "\n";
-    }
+  each_pair(matrix, [&](std::size_t i, std::size_t j) {
+    const PairLaw& law = matrix.pair(i, j).law;
+    text += printable(matrix.materials[i].name) + " and " + printable(matrix.materials[j].name) +
+            ": Sliding friction [-] " + text_number(law.sliding) + ", Rolling friction [-] " +
+            text_number(law.rolling / 2) + " (wall " + text_number(law.rolling) +
+            "), Restitution coefficient [-] " + text_number(matrix.restitution) + "\n";
+  });
   return text;
 }
 

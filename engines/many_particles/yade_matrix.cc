@@ -37,21 +37,20 @@ asperity_materials = []  # ids of the types, in their order
           ", betas=" + text_number(betan) + ")\nO.dt = " + text_number(time_step_of(matrix).advised) + "\n" +
           yade_functions + "\n";
   const double R = matrix.pair_radius();
-  for (std::size_t i = 0; i < matrix.materials.size(); ++i)
-    for (std::size_t j = i; j < matrix.materials.size(); ++j) {
-      const PairLaw& law = matrix.pair(i, j).law;
-      YadeContact contact;
-      contact.kno = 4.0 / 3 * law.reduced_modulus * std::sqrt(R);
-      contact.kso = 8 * law.shear_modulus * std::sqrt(R);
-      contact.friction = law.sliding;
-      contact.kr = law.rolling_stiffness * R * R;
-      contact.bend = law.rolling * R;
-      contact.ktw = law.torsion_stiffness * R * R;
-      contact.twist = law.torsion * R;
-      contact.goes_with_size = true;
-      text += yade_contact_entry(python_literal(matrix.materials[i].name),
-                                 python_literal(matrix.materials[j].name), R, contact);
-    }
+  each_pair(matrix, [&](std::size_t i, std::size_t j) {
+    const PairLaw& law = matrix.pair(i, j).law;
+    YadeContact contact;
+    contact.kno = 4.0 / 3 * law.reduced_modulus * std::sqrt(R);
+    contact.kso = 8 * law.shear_modulus * std::sqrt(R);
+    contact.friction = law.sliding;
+    contact.kr = law.rolling_stiffness * R * R;
+    contact.bend = law.rolling * R;
+    contact.ktw = law.torsion_stiffness * R * R;
+    contact.twist = law.torsion * R;
+    contact.goes_with_size = true;
+    text += yade_contact_entry(python_literal(matrix.materials[i].name),
+                               python_literal(matrix.materials[j].name), R, contact);
+  });
   return text;
 }
 
