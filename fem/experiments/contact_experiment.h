@@ -85,8 +85,8 @@ class ContactExperiment {
   int rank_, ranks_;
   std::unique_ptr<ContactSystem> system_;
   std::unique_ptr<ContactSolver> solver_;
-  FineParts parts_;         ///< of the path that are finely meshed now
-  long most_unknowns_ = 0;  ///< of the meshes so far
+  FineParts parts_;                          ///< of the path that are finely meshed now
+  long most_unknowns_ = 0, most_cells_ = 0;  ///< of the largest mesh so far
   ContactState state_;
   std::vector<HistoryRow> records_;
   MeasuredStiffness stiffness_;

@@ -133,7 +133,7 @@ void ContactExperiment::write_result() {
   summary.wall_time = wall_time();
   summary.ranks = ranks_;
   summary.threads = omp_get_max_threads();
-  summary.cells = static_cast<long>(system_->forest().n_global_active_cells());
+  summary.cells = most_cells_;
   summary.unknowns = most_unknowns_;
   summary.contact_nodes = static_cast<long>(system_->rows().size());
   summary.stiffness = stiffness_;

@@ -32,7 +32,10 @@ void ContactExperiment::mesh(const FineParts& parts, const std::shared_ptr<const
   system_->couple_at({program_.front().motion, {}}, unloaded.displacement);
   solver_ = std::make_unique<ContactSolver>(*system_, options);
   if (options_.says_iterations && speaks()) solver_->log = options_.progress;
-  most_unknowns_ = std::max(most_unknowns_, static_cast<long>(system_->level().size()));
+  if (const auto unknowns = static_cast<long>(system_->level().size()); unknowns > most_unknowns_) {
+    most_unknowns_ = unknowns;
+    most_cells_ = static_cast<long>(system_->forest().n_global_active_cells());
+  }
 }
 
 void ContactExperiment::require_mesh_quality() {
