@@ -47,7 +47,7 @@ const Candidate* find(const SearchResult& search, const Effects& effects) {
 /// Log evidence that a set only has because the laws of a smaller one, which they fit well within what they
 /// state, change less in it and so state less. Where they need all that they state it is no such gift.
 double by_stating_less(const Candidate& smaller, const Candidate& larger) {
-  constexpr double well_within = 0.5;
+  constexpr double well_within = 0.2;
   if (smaller.fit.part_of_bound > well_within) return 0;
   return 0.5 * std::max(0.0, smaller.room - larger.room);
 }

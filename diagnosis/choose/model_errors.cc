@@ -106,8 +106,11 @@ double accuracy_of(const FitProblem& problem, const ModelFit& fit) {
   double accuracy = 0;
   for (const Effect* effect : fit.explanation->effects()) {
     if (fit.is_confirmed && effect->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
-    const bool is_exact = effect->description().kind == EffectKind::instrument || effect->is_another_value();
-    accuracy = std::max(accuracy, effect->description().accuracy * (is_exact ? fit.part_of_bound : 1));
+    // Not one that states more than is usual, since others write it otherwise.
+    const EffectDescription& law = effect->description();
+    const bool is_exact = (law.kind == EffectKind::instrument || effect->is_another_value()) &&
+                          law.accuracy <= EffectDescription{}.accuracy;
+    accuracy = std::max(accuracy, law.accuracy * (is_exact ? fit.part_of_bound : 1));
   }
   return accuracy;
 }

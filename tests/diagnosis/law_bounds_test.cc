@@ -170,6 +170,8 @@ TEST(LawBounds_analytic, accuracy_is_what_the_data_show_of_an_instrument_and_wha
                of_yielding = effect_of("bulk_plasticity").description().accuracy;
   EXPECT_NEAR(accuracy({"instrument_compliance"}, 0.25), 0.25 * of_compliance, 1e-15);
   EXPECT_EQ(accuracy({"bulk_plasticity"}, 0.25), of_yielding);
+  // A piezo's loop is another curve with each author.
+  EXPECT_EQ(accuracy({"actuator_hysteresis"}, 0.25), effect_of("actuator_hysteresis").description().accuracy);
   EXPECT_EQ(accuracy({"bulk_plasticity", "instrument_compliance"}, 0.25), of_yielding);
 }
 
