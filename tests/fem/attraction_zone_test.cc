@@ -131,10 +131,11 @@ TEST(AttractionZone_other_code, stated_errors_hold_on_meshes_that_do_not_resolve
     const double zones = solved.result["mesh"]["interface_spacing"].get<double>() / zone_of(input);
     std::printf("cells of %.2f zones: pull-off %.4g uN for %.4g, %+.1f %%, stated %.1f %% of it\n", zones,
                 1e6 * force, 1e6 * half_spaces, 100 * off, 100 * stated);
-    if (spacing == 0)
+    if (spacing == 0) {
       EXPECT_TRUE((test::Verified{"Adhesion", "pull-off on the derived mesh, attraction of a short range",
                                   "half-spaces"})
                       .within(1 + off, 1, 0.05));
+    }
     const auto& area = solved.result["effective"]["contact_area"];
     const double area_off =
         solved.result["half_space"]["contact_area"].get<double>() - area["value"].get<double>();

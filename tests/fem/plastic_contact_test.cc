@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/csv.h"
+#include "core/printed.h"
 #include "tests/fem/support/smooth_contact.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/verification.h"
@@ -195,10 +196,8 @@ void expect_load_step_error(double f, double largest_area, double cells, std::ve
     const auto [approach, stated] = approach_after(body, f, steps, largest_area, cells);
     std::printf("%d steps: error of the approach %+.3f %%, stated %+.3f %%\n", steps,
                 100 * (approach / limit - 1), 100 * stated / limit);
-    char what[96];
-    std::snprintf(what, sizeof what,
-                  "load steps: stated over actual error of approach, %d steps to F/F_c %g, a/h %g", steps, f,
-                  cells);
+    const std::string what = printed(
+        "load steps: stated over actual error of approach, %d steps to F/F_c %g, a/h %g", steps, f, cells);
     const double ratio = stated / (approach - limit);
     EXPECT_TRUE((Verified{"Stated errors", what, "extrapolated"}.between(ratio, 0.8, 2.5)));
   }

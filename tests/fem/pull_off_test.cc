@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/printed.h"
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/interface/adhesion/dugdale.h"
@@ -120,8 +121,7 @@ void expect_pull_off(double lambda, double cells, double step) {
     largest = std::max(largest, tension);
   }
   std::printf("lambda %g: pull-off %.4f (%.4f) pi w R\n", lambda, largest / unit, expected / unit);
-  char what[64];
-  std::snprintf(what, sizeof what, "pull-off, lambda %g, %g cells in Maugis' unit", lambda, cells);
+  const std::string what = printed("pull-off, lambda %g, %g cells in Maugis' unit", lambda, cells);
   EXPECT_TRUE((test::Verified{"Adhesion", what, "Maugis (1992)"}.within(largest, expected, 0.03)));
 }
 
@@ -151,8 +151,7 @@ double expect_pull_off_towards_jkr(double lambda, double cells) {
   }
   const double expected = s.law.pull_off_force(), unit = M_PI * s.work * s.radius;
   std::printf("lambda %g: pull-off %.4f (%.4f) pi w R\n", lambda, largest / unit, expected / unit);
-  char what[64];
-  std::snprintf(what, sizeof what, "pull-off, lambda %g, %g cells in Maugis' unit", lambda, cells);
+  const std::string what = printed("pull-off, lambda %g, %g cells in Maugis' unit", lambda, cells);
   EXPECT_TRUE((test::Verified{"Adhesion", what, "Maugis (1992)"}.within(largest, expected, 0.03)));
   return largest / unit;
 }
@@ -233,8 +232,7 @@ void expect_jump_in(double lambda, double cells, double first, double step) {
   const double found = 0.5 * (before + s.state.approach / s.unit_approach);
   std::printf("lambda %g: contact forms at %.4f to %.4f (%.4f)\n", lambda, before,
               s.state.approach / s.unit_approach, expected);
-  char what[64];
-  std::snprintf(what, sizeof what, "approach at which the contact forms, lambda %g, %g cells", lambda, cells);
+  const std::string what = printed("approach at which the contact forms, lambda %g, %g cells", lambda, cells);
   EXPECT_TRUE((test::Verified{"Adhesion", what, "Maugis (1992), Johnson & Greenwood (1997)"}.within(
       found, expected, 0.03)));
 }
