@@ -210,7 +210,7 @@ class Diagnoser {
     bool ambiguous = !advice.empty();
     std::string tells_apart = advice;
     for (const JudgedSet* rival : rivals) {
-      const Rivalry beside = rivalry(chosen, *rival);
+      const Rivalry beside = rivalry(problem_, chosen, *rival);
       AlternativeExplanation alternative;
       alternative.probability = std::exp(-beside.difference) / weight;
       alternative.held_out_chi2_reduced = rival->held_out.chi2_reduced;

@@ -1,6 +1,7 @@
 #include "diagnosis/choose/judged_sets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "diagnosis/choose/law_error.h"
@@ -50,6 +51,15 @@ double by_stating_less(const Candidate& smaller, const Candidate& larger) {
   constexpr double well_within = 0.2;
   if (smaller.fit.part_of_bound > well_within) return 0;
   return 0.5 * std::max(0.0, smaller.room - larger.room);
+}
+
+/// How far two fits are apart in all samples that count together, in deviations of their noise.
+double apart(const FitProblem& problem, const ModelFit& one, const ModelFit& other) {
+  const std::vector<double> a = one.simulate(problem.samples), b = other.simulate(problem.samples);
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (problem.samples.list[i].counts) sum += std::pow((a[i] - b[i]) / problem.noise.sd[i], 2);
+  return std::sqrt(sum);
 }
 
 /// Every member earns its place: without it the evidence is clearly less, and a part of the mismatch comes
@@ -106,13 +116,15 @@ bool JudgedSet::is_part_of(const JudgedSet& other) const {
   });
 }
 
-Rivalry rivalry(const JudgedSet& chosen, const JudgedSet& other) {
+Rivalry rivalry(const FitProblem& problem, const JudgedSet& chosen, const JudgedSet& other) {
   constexpr double equal = 1.05;  // of held-out cost, which is noise below 1
+  constexpr double same = 2;      // deviations by which all samples together would tell them apart
   const double difference = chosen.candidate->score - other.candidate->score;
   const bool predicts_as_well = other.held_out.cost <= equal * std::max(1.0, chosen.held_out.cost);
   const bool would_be_ahead = other.candidate->score_as_stated > chosen.candidate->score_as_stated;
-  return {difference, (difference < as_good && predicts_as_well) || would_be_ahead,
-          (difference < 2 * as_good && predicts_as_well) || would_be_ahead};
+  const bool is_same = difference < 2 * as_good && apart(problem, chosen.fit, other.fit) < same;
+  return {difference, (difference < as_good && predicts_as_well) || is_same || would_be_ahead,
+          (difference < 2 * as_good && predicts_as_well) || is_same || would_be_ahead};
 }
 
 JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,

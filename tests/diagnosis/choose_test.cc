@@ -175,6 +175,27 @@ ModelFit with_values(const FitProblem& problem, const char* effect, std::vector<
   return fit;
 }
 
+/// A contact, and one whose zero is off by a little more or less than its samples tell.
+TEST(JudgedSets_analytic, what_data_cannot_tell_is_as_good_within_odds_of_a_hundred) {
+  const Hertz hertz = test::experiment(Motion::normal).hertz();
+  const FitProblem problem = pressed([&](double d) { return hertz.force(d); });
+  Candidate first, second;
+  first.score = first.score_as_stated = 0;
+  const auto as_good_at = [&](double score, double offset, double as_stated = -10) {
+    second.score = score, second.score_as_stated = as_stated;
+    JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
+        other{&second, with_values(problem, "contact_point_offset", {offset}), {}};
+    chosen.held_out.cost = 1, other.held_out.cost = 1.2;  // predicts worse
+    return rivalry(problem, chosen, other).is_as_good;
+  };
+  // Two deviations of 2 uN over 120 samples of 1 to 60 nm: 0.0023 nm times a stiffness of some 100 kN/m.
+  EXPECT_TRUE(as_good_at(-3, 1e-4 * nm));
+  EXPECT_FALSE(as_good_at(-5, 1e-4 * nm)) << "the odds are more than a hundred";
+  EXPECT_FALSE(as_good_at(-3, 0.1 * nm)) << "these data tell";
+  EXPECT_FALSE(as_good_at(-2, 0.1 * nm)) << "it predicts worse";
+  EXPECT_TRUE(as_good_at(-8, 0.1 * nm, 1)) << "ahead if all laws were off by what they state";
+}
+
 std::string between(const std::string& experiment, const char* there, const char* here) {
   return experiment + ": there the two differ by up to " + there +
          " times the noise of a sample, in these data by " + here;
