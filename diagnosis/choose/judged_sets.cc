@@ -122,7 +122,9 @@ Rivalry rivalry(const FitProblem& problem, const JudgedSet& chosen, const Judged
   const double difference = chosen.candidate->score - other.candidate->score;
   const bool predicts_as_well = other.held_out.cost <= equal * std::max(1.0, chosen.held_out.cost);
   const bool would_be_ahead = other.candidate->score_as_stated > chosen.candidate->score_as_stated;
-  const bool is_same = difference < 2 * as_good && apart(problem, chosen.fit, other.fit) < same;
+  // One of more parameters that imitates the chosen one is no rival of it.
+  const bool is_same = difference < 2 * as_good && other.fit.values.size() <= chosen.fit.values.size() &&
+                       apart(problem, chosen.fit, other.fit) < same;
   return {difference, (difference < as_good && predicts_as_well) || is_same || would_be_ahead,
           (difference < 2 * as_good && predicts_as_well) || is_same || would_be_ahead};
 }

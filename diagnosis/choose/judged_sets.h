@@ -37,9 +37,9 @@ struct JudgedSet {
 /// How another set stands beside the chosen one.
 struct Rivalry {
   double difference;  ///< of log evidence: how much better the chosen one is [-]
-  /// Within odds of ten to one and predicts data kept out as well; or within their square and the same in
-  /// these data but for their noise, so that priors alone are for one; or would be ahead if all laws were off
-  /// by what they state, so that it depends on how exact they are.
+  /// Within odds of ten to one and predicts data kept out as well; or within their square, of no more
+  /// parameters and the same in these data but for their noise, so that priors alone decide; or ahead if all
+  /// laws were off by what they state, so that it depends on how exact they are.
   bool is_as_good;
   bool is_near;  ///< within the square of these odds, or as good
 };

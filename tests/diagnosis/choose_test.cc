@@ -193,6 +193,11 @@ TEST(JudgedSets_analytic, what_data_cannot_tell_is_as_good_within_odds_of_a_hund
   EXPECT_FALSE(as_good_at(-5, 1e-4 * nm)) << "the odds are more than a hundred";
   EXPECT_FALSE(as_good_at(-3, 0.1 * nm)) << "these data tell";
   EXPECT_FALSE(as_good_at(-2, 0.1 * nm)) << "it predicts worse";
+  JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
+      imitates{&second, with_values(problem, "film", {1, 10 * nm}), {}};
+  chosen.held_out.cost = 1, imitates.held_out.cost = 1.2;
+  second.score = -3;
+  EXPECT_FALSE(rivalry(problem, chosen, imitates).is_as_good) << "it has more parameters";
   EXPECT_TRUE(as_good_at(-8, 0.1 * nm, 1)) << "ahead if all laws were off by what they state";
 }
 
