@@ -25,7 +25,10 @@ constexpr double largest_change = 0.6, clear_of_noise = 6;
 bool moves_too_far(const FreeParameter& p, double with_all, double without, double sd) {
   if (p.effect < 0) return false;
   const double from = p.coordinate(with_all), to = p.coordinate(without);
-  const double size = p.logarithmic ? 1 : std::max(std::abs(from), 1e-12);
+  // Between bounds that mean something, as the limits of a law, zero is no size of its own.
+  const double size = p.logarithmic        ? 1
+                      : p.bounds_are_meant ? p.coordinate(p.high) - p.coordinate(p.low)
+                                           : std::max(std::abs(from), 1e-12);
   return std::abs(to - from) > std::max(largest_change * size, clear_of_noise * sd);
 }
 
