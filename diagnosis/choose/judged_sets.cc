@@ -45,8 +45,8 @@ const Candidate* find(const SearchResult& search, const Effects& effects) {
   return nullptr;
 }
 
-/// Log evidence that a set only has because the laws of a smaller one, which they fit well within what they
-/// state, change less in it and so state less. Where they need all that they state it is no such gift.
+/// Log evidence that a set only has because the laws of a smaller one change less in it and so state less;
+/// none where the smaller one does not fit well within what its laws state.
 double by_stating_less(const Candidate& smaller, const Candidate& larger) {
   constexpr double well_within = 0.2;
   if (smaller.fit.part_of_bound > well_within) return 0;
