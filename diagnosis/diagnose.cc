@@ -235,8 +235,7 @@ class Diagnoser {
   std::string what_would_show(const JudgedSet& chosen) const {
     if (mapping_ && mapping_->is_incomplete()) return "a case that can be solved with what the remarks name";
     for (const Effect* effect : chosen.fit.explanation->effects())
-      if (const std::string advice = effect->not_recorded(problem_.experiment); !advice.empty())
-        return advice;
+      if (std::string advice = effect->not_recorded(problem_.experiment); !advice.empty()) return advice;
     return "";
   }
 

@@ -45,7 +45,8 @@ struct EffectDescription {
   /// What its law may be off by, as a part of what it changes: published laws of the same physics differ by
   /// as much.
   /// A share [-].
-  double accuracy = 0.05;
+  double accuracy = usual_accuracy;
+  static constexpr double usual_accuracy = 0.05;  ///< of a law that is exact but for the bodies' own ways
   /// The same as a part of the whole response, for laws that part where what they change is still small.
   /// A share [-].
   double accuracy_of_response = 0;  ///< at most accuracy times the largest change of the run

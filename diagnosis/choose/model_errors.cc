@@ -109,7 +109,7 @@ double accuracy_of(const FitProblem& problem, const ModelFit& fit) {
     // Not one that states more than is usual, since others write it otherwise.
     const EffectDescription& law = effect->description();
     const bool is_exact = (law.kind == EffectKind::instrument || effect->is_another_value()) &&
-                          law.accuracy <= EffectDescription{}.accuracy;
+                          law.accuracy <= EffectDescription::usual_accuracy;
     accuracy = std::max(accuracy, law.accuracy * (is_exact ? fit.part_of_bound : 1));
   }
   return accuracy;

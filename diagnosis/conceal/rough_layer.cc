@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "diagnosis/conceal/normal_truth.h"
+#include "diagnosis/conceal/tabled_contact.h"
 
 namespace asperity::hidden {
 namespace {

@@ -42,7 +42,7 @@ std::vector<double> surface_at(const LikelySurface& surface, const VectorXd& x) 
 
 std::function<VectorXd(const VectorXd&)> residuals_of(const FitProblem& problem,
                                                       const Explanation& explanation, const Samples& samples,
-                                                      std::shared_ptr<const LikelySurface> surface) {
+                                                      const std::shared_ptr<const LikelySurface>& surface) {
   const auto filter = std::make_shared<NoiseFilter>(samples, problem.noise.sd, problem.noise.shared);
   return [&samples, &explanation, filter, surface](const VectorXd& x) {
     const auto values = values_at(explanation, x);

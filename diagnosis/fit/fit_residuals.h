@@ -28,7 +28,7 @@ std::vector<double> surface_at(const LikelySurface& surface, const Eigen::Vector
 /// Independent residuals of unit variance, the last that of the zero. Refers to explanation and samples.
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> residuals_of(
     const FitProblem& problem, const Explanation& explanation, const Samples& samples,
-    std::shared_ptr<const LikelySurface> surface);
+    const std::shared_ptr<const LikelySurface>& surface);
 
 /// Sum of Huber's costs [-].
 double huber_sum(const Eigen::VectorXd& residuals);

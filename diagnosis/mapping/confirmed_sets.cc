@@ -211,8 +211,9 @@ void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
       if (!wanted.count({effects.begin(), effects.end()})) continue;
       Confirmation answer = confirm_set(candidate, problem);
       if (answer.state == Confirmation::failed) is_incomplete_ = true;
+      const bool is_complete = answer.state == Confirmation::complete;
       if (answer.state == Confirmation::partial) partial.emplace_back(candidate, std::move(answer));
-      if (answer.state != Confirmation::complete) continue;
+      if (!is_complete) continue;
     }
     kept.push_back(candidate);
   }

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 /// A file or folder that lies with the recording: a recording from elsewhere names nothing outside.
 std::string beside(const Json& json, const char* key, const std::string& file) {
-  const std::string name = text_of(json, key, "", file);
+  std::string name = text_of(json, key, "", file);
   const fs::path path(name);
   if (json.contains(key) &&
       (name.empty() || path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()))

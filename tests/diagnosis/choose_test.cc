@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/search.h"
@@ -20,6 +21,16 @@ using test::nm;
 using test::uN;
 
 constexpr double noise = 1e-7;
+
+/// White noise of this deviation, and what the simulation alone leaves.
+FitProblem with_noise(FitProblem problem, double deviation) {
+  problem.noise.sd.assign(problem.samples.list.size(), deviation);
+  problem.noise.shared.assign(1, {});
+  problem.thin = problem.samples;
+  problem.baseline_residual =
+      FitProblem::residual(problem.samples, fit_explanation(problem, {}).simulate(problem.samples));
+  return problem;
+}
 
 /// Rows of rolling under one load; the sensor's zero is off by `offset`.
 FitProblem rows_of_rolling(double offset) {
@@ -36,12 +47,7 @@ FitProblem rows_of_rolling(double offset) {
     problem.samples.list.back().response = friction * load * (1 + i % 4) + offset + noise * normal(random);
   }
   test::close_run(problem.samples, true);
-  problem.noise.sd.assign(problem.samples.list.size(), noise);
-  problem.noise.shared.assign(1, {});
-  problem.thin = problem.samples;
-  problem.baseline_residual =
-      FitProblem::residual(problem.samples, fit_explanation(problem, {}).simulate(problem.samples));
-  return problem;
+  return with_noise(std::move(problem), noise);
 }
 
 /// Pressed 60 nm deep and let go, with the noise of the force.
@@ -55,12 +61,7 @@ FitProblem pressed(const std::function<double(double)>& force) {
   constexpr double noise_of_force = 2e-6;
   for (Sample& s : problem.samples.list)
     s.response = force(s.normal_displacement) + noise_of_force * normal(random);
-  problem.noise.sd.assign(problem.samples.list.size(), noise_of_force);
-  problem.noise.shared.assign(1, {});
-  problem.thin = problem.samples;
-  problem.baseline_residual =
-      FitProblem::residual(problem.samples, fit_explanation(problem, {}).simulate(problem.samples));
-  return problem;
+  return with_noise(std::move(problem), noise_of_force);
 }
 
 std::size_t largest_set(const SearchResult& found) {

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "core/hertz.h"
-#include "core/shear_moduli.h"
 #include "diagnosis/diagnose.h"
+#include "tests/diagnosis/support/loops_of_events.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -125,45 +125,12 @@ TEST(DiagnoseAdded_analytic, a_sensor_at_the_end_of_its_range_is_clipped) {
   EXPECT_NEAR(d.left_out[0].parameters[0].value, 1500 * uN, 10 * uN);
 }
 
-/// Loops at one load or three, of Mindlin's spring and a limit that rises by a saw-tooth whose events come at
-/// uneven distances and do not begin anew at reversals.
 TEST(DiagnoseAdded_analytic, stick_slip_of_uneven_events_is_found_in_every_number_of_runs) {
   const double drop = 8 * uN, period = 40 * nm;
   for (const int runs : {1, 3}) {
-    Recording r;
-    r.mode = Motion::sliding;
-    r.particle = test::borosilicate();
-    r.substrate = test::silicon();
-    RecordingTable table;
-    table.file = "loops.csv";
-    table.control = {"lateral_displacement", "normal_force"};
-    table.response = "lateral_force";
-    std::mt19937 random(11);
-    std::normal_distribution<double> normal;
-    const Experiment e = test::experiment(Motion::sliding);
-    double left = 0, spacing = period, x = 0;
-    for (int run = 1; run <= runs; ++run) {
-      const double load = 100 * uN * run, radius = e.hertz().contact_radius(load);
-      const double spring = 8 * reduced_shear_modulus(e.particle, e.substrate) * radius;
-      double force = 0;
-      for (int half = 0; half < 4; ++half)
-        for (int i = 0; i < 150; ++i) {
-          const int direction = half % 2 == 0 ? 1 : -1;
-          x += direction * 3 * nm;
-          if ((left -= 3 * nm) <= 0) left += spacing = period * (1 + 0.04 * normal(random));
-          const double limit = 0.23 * load + drop * (0.5 - left / spacing);
-          force = std::clamp(force + spring * direction * 3 * nm, -limit, limit);
-          table.columns["run"].push_back(run);
-          table.columns["cycle"].push_back(half / 2);
-          table.columns["time"].push_back(0.01 * static_cast<double>(table.segment.size()));
-          table.columns["lateral_displacement"].push_back(x);
-          table.columns["normal_force"].push_back(load);
-          table.columns["lateral_force"].push_back(force + 0.8 * uN * normal(random));
-          table.segment.push_back(direction > 0 ? "forward" : "backward");
-        }
-    }
-    r.tables = {table};
-    const Diagnosis d = diagnose(r);
+    test::LoopsOfEvents loops{{}, 0.23, drop, period, 3 * nm, 0.8 * uN, 4, 150, 11};
+    for (int run = 1; run <= runs; ++run) loops.loads.push_back(100 * uN * run);
+    const Diagnosis d = diagnose(loops.recording());
     const auto named = [](const DiagnosedEffect& effect) { return effect.id == "stick_slip"; };
     const auto found = std::find_if(d.left_out.begin(), d.left_out.end(), named);
     ASSERT_NE(found, d.left_out.end()) << runs << " " << diagnosis_json(d);

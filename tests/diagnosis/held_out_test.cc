@@ -7,8 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <random>
 #include <vector>
 
+#include "tests/diagnosis/support/assembled_mechanics.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -130,6 +132,34 @@ TEST(HeldOut_analytic, a_sample_that_snaps_late_is_predicted_as_fits_count_it) {
   fit.values = values;
   EXPECT_LT(predict_held_out(problem, fit, blocks).chi2_reduced, 0.1);
   EXPECT_GT(without_attraction.chi2_reduced, 100);
+}
+
+/// The block with the snap alone tells how far adhesion reaches: without it another reach fits as well, which
+/// is another place between the law's limits and no other contact.
+TEST(HeldOut_behaviour, a_shape_between_limits_may_move_by_more_than_its_value) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  problem.choice = completed({}, problem.experiment);
+  problem.samples = test::approach_and_back(-6 * test::nm, 40 * test::nm, 60);
+  const std::vector<double> truth{20e-6, 0.4};
+  const auto force = simulate(test::with(problem.experiment, {{"adhesion", truth}}), problem.samples);
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 2e-6);
+  for (std::size_t i = 0; i < force.size(); ++i) problem.samples.list[i].response = force[i] + noise(random);
+  problem.noise.sd.assign(force.size(), noise.stddev());
+  problem.noise.shared.assign(1, {});
+  problem.thin = problem.samples;
+  const ModelFit fit = finished(problem, fit_explanation(problem, {&effect_of("adhesion")}));
+  const Blocks blocks = blocks_of(problem.samples);
+  double moved = 0;
+  for (int block = 0; block < blocks.count; ++block) {
+    Samples rest = problem.thin;
+    for (Sample& s : rest.list)
+      if (blocks.of_sample[s.index] == block) s.counts = false;
+    moved = std::max(moved, std::abs(refitted(problem, fit, rest, false, 4).values[1] - fit.values[1]));
+  }
+  EXPECT_GT(moved, 0.6 * fit.values[1]);
+  EXPECT_TRUE(predict_held_out(problem, fit, blocks).consistent);
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 #include <functional>
 #include <random>
 
-#include "core/shear_moduli.h"
 #include "diagnosis/choose/law_error.h"
 #include "diagnosis/diagnose.h"
+#include "tests/diagnosis/support/loops_of_events.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/tabulated_yielding.h"
 
@@ -104,40 +104,8 @@ TEST(LawBounds_other_code, yielding_held_at_three_depths_is_yielding_alone) {
 
 /// Loops under three loads whose events of slip are smaller than twice the noise.
 Recording loops_of_small_events(double drop, double period, double noise) {
-  Recording r;
-  r.mode = Motion::sliding;
-  r.particle = test::borosilicate();
-  r.substrate = test::silicon();
-  RecordingTable table;
-  table.file = "loops.csv";
-  table.control = {"lateral_displacement", "normal_force"};
-  table.response = "lateral_force";
-  std::mt19937 random(21);
-  std::normal_distribution<double> normal;
-  const Experiment e = test::experiment(Motion::sliding);
-  double left = 0, spacing = period, x = 0;
-  for (const double load : {50 * uN, 100 * uN, 200 * uN}) {
-    const double step = 4 * nm;
-    const double spring = 8 * reduced_shear_modulus(e.particle, e.substrate) * e.hertz().contact_radius(load);
-    double force = 0;
-    for (int half = 0; half < 6; ++half)
-      for (int i = 0; i < 120; ++i) {
-        const int direction = half % 2 == 0 ? 1 : -1;
-        x += direction * step;
-        if ((left -= step) <= 0) left += spacing = period * (1 + 0.04 * normal(random));
-        const double limit = 0.3 * load + drop * (0.5 - left / spacing);
-        force = std::clamp(force + spring * direction * step, -limit, limit);
-        table.columns["run"].push_back(std::round(load / (50 * uN)));
-        table.columns["cycle"].push_back(half / 2);
-        table.columns["time"].push_back(0.01 * static_cast<double>(table.segment.size()));
-        table.columns["lateral_displacement"].push_back(x);
-        table.columns["normal_force"].push_back(load);
-        table.columns["lateral_force"].push_back(force + noise * normal(random));
-        table.segment.emplace_back(direction > 0 ? "forward" : "backward");
-      }
-  }
-  r.tables = {table};
-  return r;
+  return test::LoopsOfEvents{{50 * uN, 100 * uN, 200 * uN}, 0.3, drop, period, 4 * nm, noise, 6, 120, 21}
+      .recording();
 }
 
 TEST(LawBounds_analytic, phases_count_by_the_samples_that_tell_them) {
