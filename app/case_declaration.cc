@@ -1,6 +1,7 @@
 #include "app/case_declaration.h"
 
 #include "app/case_entry_kinds.h"
+#include "app/case_film.h"
 #include "app/case_interface.h"
 #include "app/case_times.h"
 #include "core/experiment_declaration.h"
@@ -77,6 +78,7 @@ void add_body(std::vector<CaseEntry>& entries, const std::string& section, BodyI
                              {0, 0.5, false, true}, "", ratio_example, "Poisson's ratio nu."));
   for (const auto& parameter : parameters_of(fem::material_laws()))
     entries.push_back(law_entry(section, parameter, at(&BodyInput::parameters)));
+  add_film(entries, section, body);
   entries.push_back(topography(section, at(&BodyInput::topography)));
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/case_declaration.h"
+#include "app/case_film.h"
 #include "core/error.h"
 #include "core/experiment_declaration.h"
 #include "core/motion_program.h"
@@ -123,6 +124,8 @@ class Checker {
   void check_material(const std::string& section, const BodyInput& body) const {
     const fem::MaterialObjection objection = fem::objection_to(body);
     if (!objection.sentence.empty()) refuse(section + "/" + objection.entry, section + objection.sentence);
+    if (const FilmObjection film = objection_to_film(section, body.film, settings_); !film.entry.empty())
+      refuse(section + "/" + film.entry, film.sentence);
   }
 
   void check_seeds() const {

@@ -1,6 +1,7 @@
 // What a case file says, in SI units. app/ reads it; meshing and fem work from it.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 
@@ -11,6 +12,16 @@
 
 namespace asperity {
 
+/// A film that is bonded to a body: an oxide, a coating, contamination.
+struct FilmInput {
+  double thickness = 0;                                           ///< [m]; 0: there is none
+  double youngs_modulus = 0;                                      ///< E [Pa]
+  double poisson_ratio = 0;                                       ///< nu [-]
+  double yield_stress = std::numeric_limits<double>::infinity();  ///< of perfect plasticity [Pa]
+
+  bool is_there() const { return thickness > 0; }
+};
+
 /// One elastic-plastic body of a contact (small-strain J2 plasticity with associated flow).
 struct BodyInput {
   double youngs_modulus = 0;  ///< E [Pa]
@@ -18,6 +29,7 @@ struct BodyInput {
   LawValues parameters;  ///< of the laws of plasticity; one that is left out has its default, and the body is
                          ///< elastic without any
   TopographySpec topography;
+  FilmInput film;
 };
 
 /// Laws at a point of the interface.
@@ -103,8 +115,14 @@ struct CaseInput {
   std::map<std::string, std::string> physical_entries;
 };
 
-/// The bodies as if they were smooth and elastic.
+/// Whether one of the bodies has a film.
+inline bool has_films(const CaseInput& input) {
+  return input.particle.film.is_there() || input.substrate.film.is_there();
+}
+
+/// The bodies as if they were smooth and elastic, without their films.
 inline ElasticBody elastic_body(const BodyInput& body) { return {body.youngs_modulus, body.poisson_ratio}; }
+inline ElasticBody elastic_film(const FilmInput& film) { return {film.youngs_modulus, film.poisson_ratio}; }
 inline Hertz hertz_of(const CaseInput& input) {
   return {reduced_modulus(elastic_body(input.particle), elastic_body(input.substrate)), input.radius};
 }

@@ -108,9 +108,7 @@ void mesh_case(const CaseInput& input, const fs::path& output, const Say& say) {
 
   say_counts(say, options, level, geometry.map());
   const HexMeshQuality quality = hex_mesh_quality(level, positions, options);
-  for (int body = 0; body < 2; ++body)
-    if (setup.roughness[body].rough()) say(resolution_text(setup.roughness[body], body_name[body]));
-  if (const std::string text = attraction_text(setup); !text.empty()) say(text);
+  for (const std::string& text : resolution_texts(setup)) say(text);
   say_quality(say, quality);
   require_quality(quality, options, input.file);
 

@@ -21,8 +21,9 @@ constexpr double tabor_factor = 3;  // hardness over yield stress (Tabor 1951)
 
 /// The lower yield stress of the bodies; infinite where nothing yields [Pa].
 double lower_yield_stress(const CaseInput& input) {
-  return std::min(fem::make_plasticity(input.particle).yield_stress,
-                  fem::make_plasticity(input.substrate).yield_stress);
+  return std::min({fem::make_plasticity(input.particle).yield_stress,
+                   fem::make_plasticity(input.substrate).yield_stress, input.particle.film.yield_stress,
+                   input.substrate.film.yield_stress});
 }
 
 std::vector<YieldingBody> yielding_bodies(const CaseInput& input) {
@@ -71,6 +72,7 @@ LeftOutOfPreview what_is_left_out(const CaseInput& input) {
   LeftOutOfPreview left_out;
   if (input.experiment.type != Motion::normal) left_out.motion = input.experiment.type;
   left_out.finite_bodies = input.experiment.control == ExperimentInput::Control::displacement;
+  left_out.shear_of_films = has_films(input);
   return left_out;
 }
 
@@ -110,7 +112,8 @@ PreviewedCase preview_case(const CaseInput& input, double hardness) {
     if (const auto friction = fem::make_friction_law(input.interface)) {
       preview.slip = full_slip(*friction, preview.contact.fine);
       preview.coarse_slip = full_slip(*friction, preview.contact.coarse);
-      if (input.experiment.type == Motion::sliding && preview.coarse_slip->lateral_force > 0)
+      if (input.experiment.type == Motion::sliding && !has_films(input) &&
+          preview.coarse_slip->lateral_force > 0)
         preview.partial_slip =
             partial_slip(input, *friction, preview.contact.coarse, preview.coarse_slip->lateral_force);
     }

@@ -39,6 +39,14 @@ class Surfaces {
   std::vector<HeightSampler> heights_;
 };
 
+std::vector<FilmOnBody> films_of(const CaseInput& input) {
+  std::vector<FilmOnBody> films;
+  for (const BodyInput* body : {&input.particle, &input.substrate})
+    if (body->film.is_there())
+      films.push_back({elastic_film(body->film), elastic_body(*body), body->film.thickness});
+  return films;
+}
+
 double rms_of_both(const CaseInput& input) {
   return std::hypot(topography_scales(input.particle.topography).rms,
                     topography_scales(input.substrate.topography).rms);
@@ -92,7 +100,8 @@ void press_and_separate(const NormalContact& half_spaces, const CaseInput& input
     separate(adhesive);
   } else {
     const NormalContact imprinted(half_spaces.grid(), Boundary::free, half_spaces.modulus(),
-                                  with_imprint(half_spaces, pressed.contact, how.hardness));
+                                  with_imprint(half_spaces, pressed.contact, how.hardness),
+                                  half_spaces.films());
     separate(AdhesiveContact(imprinted, attraction));
   }
   contact.solution = std::move(pressed.contact);
@@ -104,7 +113,8 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
   contact.grid = grid;
   Field gap = surfaces.gap(grid);
   contact.first_touch = *std::min_element(gap.begin(), gap.end());
-  const NormalContact half_spaces(grid, Boundary::free, hertz_of(input).reduced_modulus, std::move(gap));
+  const NormalContact half_spaces(grid, Boundary::free, hertz_of(input).reduced_modulus, std::move(gap),
+                                  films_of(input));
   NormalContactOptions how;
   // What yields feels the pressure less the attraction, which is that of separation where bodies touch.
   how.hardness = options.hardness + (options.attraction ? options.attraction->opening(0) : 0);
@@ -122,7 +132,7 @@ CaseContact contact_on(const CaseInput& input, const Surfaces& surfaces, const G
     if (!options.attraction) contact.pull_off = PullOff{force, contact.first_touch, 0};
   }
   contact.shape = contact_shape(grid, contact.solution.pressure, how.hardness);
-  if (options.with_shear_stiffness) {
+  if (options.with_shear_stiffness && !has_films(input)) {
     const StuckContact stuck(grid, shear_compliance(input));
     contact.lateral_stiffness = stuck.lateral_stiffness(contact.solution.pressure);
     contact.torsion_stiffness = stuck.torsion_stiffness(contact.solution.pressure);
@@ -163,10 +173,12 @@ Field gap_of_case(const CaseInput& input, const Grid& grid) {
 }
 
 double derived_spacing(const CaseInput& input, const std::optional<Attraction>& attraction) {
-  constexpr double cells_per_radius = 24, cells_per_wave = 16, cells_per_zone = 4;
+  constexpr double cells_per_radius = 24, cells_per_wave = 16, cells_per_film = 8, cells_per_zone = 4;
   const Hertz hertz = hertz_of(input);
   double spacing = std::min(hertz.contact_radius(largest_load(input, attraction)) / cells_per_radius,
                             shortest_wave(input) / cells_per_wave);
+  for (const BodyInput* body : {&input.particle, &input.substrate})
+    if (body->film.is_there()) spacing = std::min(spacing, body->film.thickness / cells_per_film);
   if (attraction) spacing = std::min(spacing, attraction_zone(input, *attraction) / cells_per_zone);
   return spacing;
 }
@@ -185,6 +197,8 @@ CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& op
   constexpr double larger = 1.3;
   double half_width =
       options.half_width > 0 ? options.half_width : derived_half_width(input, options.attraction);
+  for (const FilmOnBody& film : films_of(input))
+    half_width = std::max(half_width, 0.5 * thicknesses_on_grid * film.thickness);
   const double spacing = options.spacing > 0 ? options.spacing : derived_spacing(input, options.attraction);
   for (int enlarged = 0;; half_width *= larger) {
     if (half_width > input.radius / 2)

@@ -41,7 +41,7 @@ struct CaseContact {
   double first_touch =
       0;  ///< approach at which the undeformed surfaces touch [m], below 0 where asperities meet first
   double stiffness = 0;          ///< [N/m] at the beginning of unloading; 0: not asked for
-  double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: not asked for
+  double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: not asked for, or bodies with films
   double torsion_stiffness = 0;  ///< likewise, about the axis of the sphere [N m]
   int enlarged = 0;              ///< times that the contact reached the edge, and the square was made larger
   double attracting = 0;         ///< sum of the attraction, which the contact carries beside the load [N]
@@ -74,8 +74,8 @@ double shortest_wave(const CaseInput& input);
 double attraction_zone(const CaseInput& input, const Attraction& attraction);
 
 /// Cells that a contact needs: 24 over Hertz' radius, 16 over the shortest wave of either surface, with which
-/// the largest pressure reads some 2 % too small; of surfaces that attract each other Hertz' radius under
-/// what smooth ones attract as well, and 4 over the attraction's zone [m].
+/// the largest pressure reads some 2 % too small, 8 over a film; of surfaces that attract each other Hertz'
+/// radius under what smooth ones attract as well, and 4 over the attraction's zone [m].
 double derived_spacing(const CaseInput& input, const std::optional<Attraction>& attraction = std::nullopt);
 
 /// Half width of a square that holds the contact [m]: where smooth surfaces under Hertz' pressure would be

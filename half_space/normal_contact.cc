@@ -72,9 +72,10 @@ Field first_guess(const Grid& grid, const Field& gap, const NormalLoad& load, do
 
 }  // namespace
 
-NormalContact::NormalContact(const Grid& grid, Boundary boundary, double modulus, Field gap)
-    : modulus_(modulus) {
-  levels_.push_back({Compliance(grid, boundary, modulus), std::move(gap)});
+NormalContact::NormalContact(const Grid& grid, Boundary boundary, double modulus, Field gap,
+                             std::vector<FilmOnBody> films)
+    : modulus_(modulus), films_(std::move(films)) {
+  levels_.push_back({Compliance(grid, boundary, modulus, films_), std::move(gap)});
   if (levels_[0].gap.size() != grid.cells())
     throw InputError("a half-space contact of " + std::to_string(grid.cells()) +
                      " cells needs a gap for each, not " + std::to_string(levels_[0].gap.size()));
@@ -83,7 +84,7 @@ NormalContact::NormalContact(const Grid& grid, Boundary boundary, double modulus
   while (has_coarser(levels_.back().compliance.grid())) {
     const Grid here = levels_.back().compliance.grid();
     Field coarse = coarsened(levels_.back().gap, here);
-    levels_.push_back({Compliance(coarser(here), boundary, modulus), std::move(coarse)});
+    levels_.push_back({Compliance(coarser(here), boundary, modulus, films_), std::move(coarse)});
   }
 }
 

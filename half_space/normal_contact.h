@@ -38,9 +38,10 @@ struct NormalContactSolution {
 
 class NormalContact {
  public:
-  /// gap: of the undeformed surfaces in each cell [m], from planes of one's choice; modulus: E* [Pa]. Throws
-  /// InputError where the sizes do not fit or a gap is not finite.
-  NormalContact(const Grid& grid, Boundary boundary, double modulus, Field gap);
+  /// gap: of the undeformed surfaces in each cell [m], from planes of one's choice; modulus: E* of the bodies
+  /// [Pa]. Throws InputError where the sizes do not fit or a gap is not finite.
+  NormalContact(const Grid& grid, Boundary boundary, double modulus, Field gap,
+                std::vector<FilmOnBody> films = {});
 
   /// At a normal force [N]. Throws InputError for a force that is not above 0 or that the hardness cannot
   /// carry on the whole grid, WorkError where the iteration does not end.
@@ -56,8 +57,9 @@ class NormalContact {
   const Compliance& compliance() const { return levels_.front().compliance; }
   /// Of the undeformed surfaces [m].
   const Field& gap() const { return levels_.front().gap; }
-  /// E* [Pa].
+  /// E* of the bodies [Pa].
   double modulus() const { return modulus_; }
+  const std::vector<FilmOnBody>& films() const { return films_; }
 
  private:
   struct Level {
@@ -67,6 +69,7 @@ class NormalContact {
   NormalContactSolution solve(const NormalLoad& load, const NormalContactOptions& options) const;
 
   double modulus_;
+  std::vector<FilmOnBody> films_;
   std::vector<Level> levels_;  ///< the given grid first
 };
 

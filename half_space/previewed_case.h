@@ -42,8 +42,9 @@ struct SlipPoint {
 /// What the case has and half-spaces pressed together have not.
 struct LeftOutOfPreview {
   std::optional<Motion> motion;
-  bool adhesion = false;       ///< acts in a zone too small for half-spaces in cells
-  bool finite_bodies = false;  ///< the case is led by its approach, of which their compliance is a part
+  bool adhesion = false;        ///< acts in a zone too small for half-spaces in cells
+  bool shear_of_films = false;  ///< half-spaces with films are solved under normal load alone
+  bool finite_bodies = false;   ///< the case is led by its approach, of which their compliance is a part
 };
 
 /// The contact by half-spaces, and that mesh.

@@ -127,6 +127,13 @@ RoughGeometry::RoughGeometry(const ContactMeshOptions& options)
   fade_substrate_ = std::max(8 * options.largest_height_substrate, 4 * options.sizes.spacing_substrate);
 }
 
+double RoughGeometry::film_share(const LogicalBox& box, double thickness) const {
+  if (box.tree != cap && box.tree != block) return 0;
+  const double one = map_.depth(box.tree, box.vertex(0)), other = map_.depth(box.tree, box.vertex(7));
+  const double top = std::min(one, other), bottom = std::max(one, other);
+  return std::clamp((thickness - top) / (bottom - top), 0.0, 1.0);
+}
+
 double RoughGeometry::faded_height(Body body, double x, double y, double depth) const {
   const auto& height = body == Body::particle ? particle_height_ : substrate_height_;
   if (!height || depth >= fade_depth(body)) return 0;

@@ -49,6 +49,9 @@ class RoughGeometry {
   /// Place [m] of a point of a tree, roughness included.
   Point3 position(int tree, const Point3& logical) const;
   const BodyMap& map() const { return map_; }
+  /// Share of a cell's depth that lies in a film of this thickness [m] on its body's contact surface [-]. The
+  /// film follows the roughness, which fades with depth.
+  double film_share(const LogicalBox& box, double thickness) const;
   /// Depth [m] over which the roughness of a body fades to zero.
   double fade_depth(Body body) const { return body == Body::particle ? fade_particle_ : fade_substrate_; }
 

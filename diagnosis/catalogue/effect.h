@@ -63,6 +63,7 @@ struct NeededValues {
 enum class EntersBy {
   measurement,      ///< it acts on any history: compliance, offset, drift, tilt
   in_series,        ///< by its own reduced law, as a displacement beside that of the solved contact
+  beside,           ///< by its own reduced law, as a force beside that of the solved contact
   on_friction,      ///< by its own reduced law, as a change of the friction that was solved
   finite_elements,  ///< entries of the case
   reduced_law_only  ///< it has no form there yet
@@ -104,8 +105,9 @@ class Effect {
   }
   /// Its parameters where the case has it already, as the case is; empty where it has not.
   virtual std::vector<double> values_in_case(const Experiment&) const { return {}; }
-  /// Whether a contact with it comes back on another curve than it went, so that its unloading and each
-  /// turning point are solutions of their own.
+  /// Whether a contact with it comes back on another curve than it went, so that the unloading from each
+  /// turning point is a solution of its own. (Of surfaces that attract, that from the largest load is solved,
+  /// to where they part, and stands for the others.)
   virtual bool returns_on_another_curve() const { return false; }
   /// How far beyond first touch a contact with these parameters has to be pulled until it is open [m]; 0: it
   /// does not attract. One that does is driven by displacement.

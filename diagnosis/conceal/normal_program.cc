@@ -38,9 +38,9 @@ NormalProgram normal_program(const WorldRequest& request, Random& random) {
   program.loads = {largest / 4, largest / 2, largest};
   program.off_contact = 0.6;
   program.controls_force =
-      has("creep") ||
-      (!has("adhesion") && !has("adhesion_hysteresis") && !has("baseline_tilt") &&
-       !has("contact_point_offset") && !has("pop_in") && !has("piezo_hysteresis") && request.seed % 3 == 0);
+      has("creep") || (!has("adhesion") && !has("adhesion_hysteresis") && !has("baseline_tilt") &&
+                       !has("contact_point_offset") && !has("pop_in") && !has("interference") &&
+                       !has("piezo_hysteresis") && request.seed % 3 == 0);
   if (request.setting == "long_hold") program.controls_force = true;
   if (has("creep") || request.setting == "long_hold") program.hold_time = 30, program.hold_samples = 90;
   if (has("creep")) {  // fast up and down, so that what happens in the hold is not half over before it
@@ -101,7 +101,11 @@ void choose_normal_parameters(World& world, const WorldRequest& request, const N
     } else if (id == "pop_in")
       world.hide(id, "sudden displacement at a load of its own in each run", "jump",
                  between(random, 0.06, 0.15) * depth, false);
-    else if (id == "piezo_hysteresis")
+    else if (id == "interference") {
+      const char* model = "light between cantilever and sample adds a force that is periodic in displacement";
+      world.hide(id, model, "amplitude", between(random, 0.02, 0.05) * largest, false);
+      world.hide(id, model, "period", between(random, 0.2, 0.4) * depth, false);
+    } else if (id == "piezo_hysteresis")
       world.hide(id, "the displacement sensor has another characteristic upwards than downwards", "share",
                  between(random, 0.04, 0.09), false);
     else if (id == "thermal_oscillation") {

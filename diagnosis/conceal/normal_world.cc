@@ -92,7 +92,7 @@ class NormalRun {
                           given - 2 * depth_, given + 2 * depth_);
     const double force = law_->force(d, step);
     take(d, time, force);
-    return force + of("baseline_tilt", "slope") * displacement;
+    return force + of("baseline_tilt", "slope") * displacement + ripple(displacement);
   }
 
   /// Recorded displacement at a recorded force.
@@ -114,6 +114,10 @@ class NormalRun {
                                   std::sin(2 * pi * time / of("thermal_oscillation", "period"))
                             : 0;
     return of("contact_point_offset", "offset") + of("thermal_drift", "rate") * time + wave;
+  }
+  double ripple(double displacement) const {
+    if (!has("interference")) return 0;
+    return of("interference", "amplitude") * std::sin(2 * pi * displacement / of("interference", "period"));
   }
   double sensor(double displacement, bool is_loading) const {
     if (!has("piezo_hysteresis")) return 0;

@@ -43,9 +43,17 @@ double World::value(const std::string& effect, const std::string& parameter) con
 std::vector<std::string> concealable(Motion mode) {
   switch (mode) {
     case Motion::normal:
-      return {"instrument_compliance", "contact_point_offset", "thermal_drift",        "adhesion",
-              "effective_radius",      "bulk_plasticity",      "roughness_compliance", "creep",
-              "baseline_tilt",         "adhesion_hysteresis"};
+      return {"instrument_compliance",
+              "contact_point_offset",
+              "thermal_drift",
+              "adhesion",
+              "effective_radius",
+              "bulk_plasticity",
+              "roughness_compliance",
+              "creep",
+              "baseline_tilt",
+              "adhesion_hysteresis",
+              "pop_in"};
     case Motion::sliding:
       return {"lateral_compliance",
               "adhesion_offset",
@@ -74,7 +82,7 @@ std::vector<std::string> concealable(Motion mode) {
 std::vector<std::string> concealable_out_of_catalogue(Motion mode) {
   switch (mode) {
     case Motion::normal:
-      return {"pop_in", "piezo_hysteresis", "thermal_oscillation"};
+      return {"interference", "piezo_hysteresis", "thermal_oscillation"};
     case Motion::sliding:
       return {"position_weakening", "lateral_oscillation"};
     case Motion::rolling:

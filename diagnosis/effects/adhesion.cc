@@ -8,9 +8,8 @@
 #include <cmath>
 #include <memory>
 
-#include "core/attraction_zone.h"
-#include "dem_compare/laws/maugis_branch.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/attraction_in_case.h"
 #include "diagnosis/mechanics/contact_on_law.h"
 
 namespace asperity {
@@ -21,17 +20,8 @@ constexpr double lambda_of_jkr = 10, lambda_of_fit = 0.924;
 double lambda_of(double alpha) {
   return -lambda_of_fit * std::log1p(-alpha * -std::expm1(-lambda_of_jkr / lambda_of_fit));
 }
-double alpha_of(double lambda) {
-  return std::expm1(-lambda / lambda_of_fit) / std::expm1(-lambda_of_jkr / lambda_of_fit);
-}
 
-/// The branch of the last parameter asked for in this thread: a fit changes it seldom.
-std::shared_ptr<const MaugisBranch> branch_of(double alpha) {
-  thread_local std::shared_ptr<const MaugisBranch> last;
-  const double lambda = lambda_of(alpha);
-  if (!last || last->lambda() != lambda) last = std::make_shared<const MaugisBranch>(lambda);
-  return last;
-}
+std::shared_ptr<const MaugisBranch> branch_of(double alpha) { return maugis_branch(lambda_of(alpha)); }
 
 class MaugisContact : public NormalContact {
  public:
@@ -77,31 +67,6 @@ class AttractedContact : public ContactOnLaw {
   double pull_off_;
 };
 
-constexpr const char* mesh_entry = "Mesh/Interface spacing";
-
-/// alpha, or where its zone takes more than thirty cells over the radius of the pressed contact, that of the
-/// shortest attraction that does not: from there to JKR's the pull-off force changes by a twelfth, and the
-/// recording says little of the range. The zone is 3 A0 / (4 lambda^2), A0: Maugis' unit of radius.
-double resolvable_alpha(const Experiment& e, double pull_off, double alpha) {
-  constexpr double cells_per_radius = 30, of_pi_w_R = 1.6;
-  const double f = e.largest_force, h = pull_off;
-  const double pressed = f + 2 * h + std::sqrt(4 * h * f + 4 * h * h);  // Johnson, Kendall & Roberts 1971
-  const double radius = std::cbrt(0.75 * pressed * e.radius / e.reduced_modulus());
-  const double unit = std::cbrt(0.75 * h * e.radius / (of_pi_w_R * e.reduced_modulus()));
-  double finest = radius / cells_per_radius;
-  if (e.case_spacing > 0) finest = std::min(finest, e.case_spacing);
-  return std::min(alpha, alpha_of(std::sqrt(0.75 * unit / (cells_over_attraction_zone * finest))));
-}
-
-/// Spacing of the case's mesh, or of one that is finer by a power of the root of two and resolves the zone
-/// [m].
-double resolving_spacing(const Experiment& e, double work, double range) {
-  const double enough = attraction_zone(e.reduced_modulus(), work, work / range) / cells_over_attraction_zone;
-  double spacing = e.case_spacing;
-  while (spacing > enough) spacing /= M_SQRT2;
-  return spacing;
-}
-
 class Adhesion : public Effect {
  public:
   const EffectDescription& description() const override {
@@ -142,37 +107,12 @@ class Adhesion : public Effect {
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
-  /// Dugdale's attraction over h0 (Maugis 1992): w = h/(c pi R), sigma0 = w/h0, lambda = 2 sigma0 (R/(pi w
-  /// K^2))^(1/3); c of that lambda.
+  /// Dugdale's attraction (Maugis 1992): w = h/(c pi R), c of that lambda.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
-    const auto branch = branch_of(e.by_finite_elements ? resolvable_alpha(e, p[0], p[1]) : p[1]);
-    const double stiffness = 4.0 / 3 * e.reduced_modulus();
+    const double lambda = lambda_of(p[1]);
+    const auto branch = maugis_branch(e.by_finite_elements ? resolvable_lambda(e, p[0], lambda) : lambda);
     const double work = p[0] / (branch->pull_off() * M_PI * e.radius);
-    const double range =
-        2 * work / branch->lambda() * std::cbrt(e.radius / (M_PI * work * stiffness * stiffness));
-    std::vector<CaseChange> changes{{"Interface/Work of adhesion", work, "J/m^2"},
-                                    {"Interface/Adhesion range", range, "m"}};
-    const double spacing = resolving_spacing(e, work, range);
-    if (e.by_finite_elements && spacing < e.case_spacing) changes.push_back({mesh_entry, spacing, "m"});
-    return changes;
-  }
-  /// Intervals hold attraction that no mesh resolves, too; the mesh is a means and has none.
-  std::vector<CorrectedEntry> corrected_entries(const Experiment& e,
-                                                const std::vector<DiagnosedParameter>& found) const override {
-    Experiment without_mesh = e;
-    without_mesh.by_finite_elements = false;
-    auto entries = Effect::corrected_entries(without_mesh, found);
-    const double at[] = {found[0].value, found[1].value};
-    for (const CaseChange& change : case_changes(e, at)) {
-      const auto same = std::find_if(entries.begin(), entries.end(), [&](const CorrectedEntry& entry) {
-        return entry.entry == change.entry;
-      });
-      if (same == entries.end())
-        entries.push_back({change.entry, change.unit, change.value, change.value, change.value, ""});
-      else
-        same->value = change.value;
-    }
-    return entries;
+    return dugdale_in_case(e, work, range_of_attraction(e, work, branch->lambda()));
   }
   double opening_distance(const Experiment& e, const double* p) const override {
     const MaugisContact contact(e.hertz(), p[0], p[1]);

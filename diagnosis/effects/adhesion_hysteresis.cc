@@ -7,6 +7,7 @@
 
 #include "dem_compare/laws/jkr.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/attraction_in_case.h"
 
 namespace asperity {
 namespace {
@@ -78,6 +79,24 @@ class AdhesionHysteresis : public Effect {
              30 * work,
              true,
              {0.01 * work, 0.1 * work, 0.5 * work}}};
+  }
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
+  /// Both works over one range: the shortest that a mesh resolves on separation.
+  std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
+    const double closing = std::min(p[0], p[1]), opening = std::max(p[0], p[1]);
+    constexpr double lambda_of_jkr = 10;
+    double lambda = lambda_of_jkr;
+    if (e.by_finite_elements) lambda = resolvable_lambda(e, 1.5 * M_PI * opening * e.radius, lambda_of_jkr);
+    auto changes = dugdale_in_case(e, opening, range_of_attraction(e, opening, lambda));
+    changes.push_back({"Interface/Work of adhesion on separation", opening, "J/m^2"});
+    changes.front().value = closing;
+    return changes;
+  }
+  bool returns_on_another_curve() const override { return true; }
+  double opening_distance(const Experiment& e, const double* p) const override {
+    const Jkr jkr{e.reduced_modulus(), e.radius, std::max(p[0], p[1])};
+    return std::abs(jkr.smallest_approach()) + case_changes(e, p)[1].value;
   }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.contact =

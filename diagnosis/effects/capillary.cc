@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/attraction_in_case.h"
 #include "diagnosis/mechanics/contact_on_law.h"
 
 namespace asperity {
@@ -62,6 +63,17 @@ class Capillary : public Effect {
              10 * range,
              true,
              {0.03 * range, 0.1 * range, 0.3 * range}}};
+  }
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
+  /// A suction that is constant out to the rupture distance: h = 2 pi R w, as of any attraction whose range
+  /// is long (Derjaguin 1934; Maugis & Gauthier-Manuel 1994).
+  std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
+    return dugdale_in_case(e, p[0] / (2 * M_PI * e.radius), p[1]);
+  }
+  double opening_distance(const Experiment&, const double* p) const override {
+    constexpr double end_of_attraction = 1.3;  // of the case's law of attraction, over its range
+    return end_of_attraction * p[1];
   }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.contact = std::make_shared<BridgedContact>(*m.normal.contact, p[0], p[1]);

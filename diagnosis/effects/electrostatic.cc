@@ -6,29 +6,11 @@
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
-#include "diagnosis/mechanics/contact_on_law.h"
 
 namespace asperity {
 namespace {
 
 constexpr double vacuum_permittivity = 8.8541878128e-12;  // [F/m]
-
-class ChargedContact : public ContactOnLaw {
- public:
-  ChargedContact(const NormalContact& law, double radius, double voltage, double distance)
-      : ContactOnLaw(law),
-        radius_(radius),
-        strength_(M_PI * vacuum_permittivity * std::pow(voltage * radius, 2)),
-        distance_(distance) {}
-  std::unique_ptr<NormalContact> clone() const override { return std::make_unique<ChargedContact>(*this); }
-  double force(double d) const override {
-    const double z = std::max(0.0, -d) + distance_;
-    return law().force(d) - strength_ / (z * (z + radius_));
-  }
-
- private:
-  double radius_, strength_, distance_;  ///< R [m], pi eps_0 (U R)^2 [N m^2], z_0 [m]
-};
 
 class Electrostatic : public Effect {
  public:
@@ -69,8 +51,16 @@ class Electrostatic : public Effect {
              true,
              {0.1 * range, range}}};
   }
+  /// Its stress is far too small to deform the bodies.
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::beside; }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   void assemble(Mechanics& m, const double* p) const override {
-    m.normal.contact = std::make_shared<ChargedContact>(*m.normal.contact, m.geometry.radius, p[0], p[1]);
+    const double radius = m.geometry.radius, distance = p[1];
+    const double strength = M_PI * vacuum_permittivity * std::pow(p[0] * radius, 2);  // [N m^2]
+    m.normal.beside.emplace_back([=](double d) {
+      const double z = std::max(0.0, -d) + distance;
+      return -strength / (z * (z + radius));
+    });
   }
 };
 

@@ -81,9 +81,13 @@ SolvedCaseMapping::Trial SolvedCaseMapping::trial_of(const FitProblem& problem, 
   trial.effects = fit.explanation->effects();
   trial.changes = changes_of(problem.experiment, fit);
   const auto values = fit.values_of_effects();
-  for (std::size_t e = 0; e < trial.effects.size(); ++e)
-    trial.opening =
-        std::max(trial.opening, trial.effects[e]->opening_distance(problem.experiment, values[e]));
+  for (std::size_t e = 0; e < trial.effects.size(); ++e) {
+    const double opening = trial.effects[e]->opening_distance(problem.experiment, values[e]);
+    const bool returns = trial.effects[e]->returns_on_another_curve();
+    trial.opening = std::max(trial.opening, opening);
+    trial.returns_on_another_curve = trial.returns_on_another_curve || returns;
+    trial.yields = trial.yields || (returns && opening == 0);
+  }
   constexpr double a_little_further = 1.03;
   if (trial.opening > 0) trial.approach = a_little_further * loaded_displacement(problem, fit, largest_force);
   return trial;

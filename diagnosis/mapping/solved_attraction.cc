@@ -8,21 +8,34 @@
 namespace asperity {
 namespace {
 
-/// What a solution says beyond a reduced law: a force at a displacement, and where it opens.
-struct ForceDifference {
-  std::vector<std::pair<double, double>> points;  ///< displacement [m], force [N]
-  double opens_later = 0;  ///< displacement at which it parts, minus that of the reduced law [m]
-
+/// Force [N] by which a solution differs from a reduced law, over the displacement [m].
+class ForceCurve {
+ public:
+  void add(double displacement, double force) { points_.emplace_back(displacement, force); }
+  void finish() {
+    std::stable_sort(points_.begin(), points_.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
   double at(double displacement) const {
-    if (displacement <= points.front().first) return points.front().second;
-    if (displacement >= points.back().first) return points.back().second;
-    const auto after = std::upper_bound(points.begin(), points.end(), displacement,
+    if (points_.empty()) return 0;
+    if (displacement <= points_.front().first) return points_.front().second;
+    if (displacement >= points_.back().first) return points_.back().second;
+    const auto after = std::upper_bound(points_.begin(), points_.end(), displacement,
                                         [](double value, const auto& point) { return value < point.first; });
     const auto before = after - 1;
     const double width = after->first - before->first;
     return before->second +
            (width > 0 ? (displacement - before->first) / width * (after->second - before->second) : 0.0);
   }
+
+ private:
+  std::vector<std::pair<double, double>> points_;
+};
+
+/// What a solution says beyond a reduced law: forces at displacements, and where it opens.
+struct ForceDifference {
+  ForceCurve loading, unloading;
+  double opens_later = 0;  ///< displacement at which it parts, minus that of the reduced law [m]
 };
 
 class SolvedAttraction : public NormalContact {
@@ -30,21 +43,29 @@ class SolvedAttraction : public NormalContact {
   SolvedAttraction(const NormalContact& reduced, std::shared_ptr<const ForceDifference> difference)
       : reduced_(reduced.clone()), difference_(std::move(difference)) {}
   SolvedAttraction(const SolvedAttraction& other)
-      : reduced_(other.reduced_->clone()), difference_(other.difference_), touches_(other.touches_) {}
+      : reduced_(other.reduced_->clone()),
+        difference_(other.difference_),
+        deepest_(other.deepest_),
+        touches_(other.touches_) {}
   SolvedAttraction& operator=(const SolvedAttraction&) = delete;
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<SolvedAttraction>(*this); }
   double release() const override { return std::min(0.0, reduced_->parting() + difference_->opens_later); }
   double force(double d) const override {
-    return d < (touches_ ? release() : 0.0) ? 0.0 : reduced_->held_force(d) + difference_->at(d);
+    if (d < (touches_ ? release() : 0.0)) return 0;
+    const ForceCurve& branch = d >= deepest_ ? difference_->loading : difference_->unloading;
+    return reduced_->held_force(d) + branch.at(d);
   }
+  void begin_step(double time_step) override { reduced_->begin_step(time_step); }
   void accept(double d) override {
     touches_ = d >= (touches_ ? release() : 0.0);
+    deepest_ = touches_ ? std::max(deepest_, d) : 0.0;
     if (touches_) reduced_->accept(std::max(d, reduced_->release()));
   }
 
  private:
   std::unique_ptr<NormalContact> reduced_;
   std::shared_ptr<const ForceDifference> difference_;
+  double deepest_ = 0;  ///< largest displacement since they touched [m]
   bool touches_ = false;
 };
 
@@ -66,11 +87,11 @@ class AttractionCorrection : public BranchCorrection {
 }  // namespace
 
 std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solved, const Mechanics& reduced,
-                                                      double displacement_error) {
+                                                      double displacement_error,
+                                                      bool returns_on_another_curve) {
   const std::unique_ptr<NormalContact> law = reduced.normal.contact->clone();
   if (!(solved.force[solved.peak] > 0))
     throw WorkError("'" + solved.source + "' attracts and never presses; record under larger loads");
-  law->accept(solved.displacement[solved.peak]);
   auto difference = std::make_shared<ForceDifference>();
   constexpr double open = 1e-6;  // of the largest force: the solver's tolerance
   const double nothing = open * solved.force[solved.peak];
@@ -82,10 +103,14 @@ std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solv
       break;
     }
     last = d;
-    difference->points.emplace_back(d, solved.force[i] - law->held_force(d));
+    if (i <= solved.peak) law->accept(d);
+    const double beyond = solved.force[i] - law->held_force(d);
+    if (i <= solved.peak || !returns_on_another_curve) difference->loading.add(d, beyond);
+    if (i >= solved.peak || !returns_on_another_curve) difference->unloading.add(d, beyond);
+    law->accept(std::max(d, law->release()));
   }
-  std::stable_sort(difference->points.begin(), difference->points.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  difference->loading.finish();
+  difference->unloading.finish();
   if (std::isfinite(solved.displacement_error)) displacement_error = solved.displacement_error;
   return std::make_shared<AttractionCorrection>(difference, displacement_error);
 }

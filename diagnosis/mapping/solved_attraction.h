@@ -12,9 +12,11 @@
 
 namespace asperity {
 
-/// The difference of a solution driven by displacement to a reduced law without instruments. Throws WorkError
-/// where the solution never presses.
+/// The difference of a solution driven by displacement to a reduced law without instruments: on loading and
+/// on unloading, or where the contact comes back as it went, of both together. Throws WorkError where the
+/// solution never presses.
 std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solved, const Mechanics& reduced,
-                                                      double displacement_error);
+                                                      double displacement_error,
+                                                      bool returns_on_another_curve);
 
 }  // namespace asperity

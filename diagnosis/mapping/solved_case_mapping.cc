@@ -17,9 +17,7 @@ using Effects = std::vector<const Effect*>;
 /// Turning points that are solved, each on its own.
 constexpr std::size_t most_turning_points = 6;
 
-bool comes_back_otherwise(const Effects& effects, const Experiment& experiment) {
-  for (const Effect* effect : effects)
-    if (effect->returns_on_another_curve()) return true;
+bool case_yields(const Experiment& experiment) {
   for (const auto& effect : effect_catalogue())
     if (effect->returns_on_another_curve() && !effect->values_in_case(experiment).empty()) return true;
   return false;
@@ -41,6 +39,8 @@ std::string name_of(EntersBy form) {
       return "measurement";
     case EntersBy::in_series:
       return "reduced law in series with the solution";
+    case EntersBy::beside:
+      return "reduced law beside the solution";
     case EntersBy::on_friction:
       return "reduced law that changes the friction that was solved";
     case EntersBy::finite_elements:
@@ -140,9 +140,9 @@ std::vector<LoadingProtocol> SolvedCaseMapping::asked_for(const FitProblem& prob
   LoadingProtocol largest;
   largest.largest_force = protocols_.list.front().largest_force;
   std::vector<LoadingProtocol> asked{largest};
-  const bool comes_back = comes_back_otherwise(trial.effects, problem.experiment);
+  const bool yields = trial.yields || case_yields(problem.experiment);
   if (trial.opening > 0) {
-    if (comes_back)
+    if (yields)
       throw WorkError(
           "attraction between bodies that yield is not solved for a recording yet; diagnose it without "
           "--case");
@@ -150,7 +150,7 @@ std::vector<LoadingProtocol> SolvedCaseMapping::asked_for(const FitProblem& prob
     asked.front().unloads = std::any_of(protocols_.list.begin(), protocols_.list.end(),
                                         [](const LoadingProtocol& protocol) { return protocol.unloads; });
     if (asked.front().unloads) asked.front().retract = trial.opening;
-  } else if (comes_back) {
+  } else if (yields) {
     asked.clear();
     for (const auto& protocol : protocols_.list)
       if (asked.empty() || protocol.unloads) asked.push_back(protocol);

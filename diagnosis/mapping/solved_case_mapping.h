@@ -60,13 +60,15 @@ class SolvedCaseMapping {
     std::vector<CaseChange> changes;
     std::vector<const Effect*> effects;
     double approach = 0, opening = 0;  ///< of a contact that attracts: at the largest force, and pulled [m]
+    bool returns_on_another_curve = false;  ///< as bodies that yield and surfaces of two works of adhesion do
+    bool yields = false;                    ///< the bodies do
   };
 
   static Trial trial_of(const FitProblem& problem, const ModelFit& fit, double largest_force);
   std::vector<LoadingProtocol> asked_for(const FitProblem& problem, const Trial& trial) const;
   std::shared_ptr<const BranchCorrection> correction_by(const std::vector<SolvedResponse>& solved,
                                                         const Trial& trial, const Mechanics& reduced) const {
-    return trial.opening > 0 ? attraction_of(solved.front(), reduced, error_)
+    return trial.opening > 0 ? attraction_of(solved.front(), reduced, error_, trial.returns_on_another_curve)
                              : difference_to(solved, protocols_, reduced, error_, surface_errors_);
   }
   /// What the solutions of a set say: the law corrected by them, and how far they came.

@@ -1,9 +1,9 @@
 // The mechanical model that a recording is compared with, as parts that effects replace, add in series, or
 // add on top:
 //
-//   normal   d = d_contact + sum of series(f_contact) + sum of delayed parts(d_contact) + sum of
-//   shifts(sample),
-//              f_n = reading(f_contact + sum of additions(sample, d))
+//   normal   d = d_contact + sum of series(f) + sum of delayed parts(d_contact) + sum of shifts(sample),
+//              f = f_contact(d_contact) + sum of beside(d_contact),
+//              f_n = reading(f + sum of additions(sample, d))
 //   lateral  x = x_contact + C f_l,contact,   |f_l,contact| <= limit,   f_l = f_l,contact + sum of
 //   additions(sample) limit    coefficient x (f_n + offset), each changed by the list of changes
 //
@@ -84,7 +84,9 @@ class BranchCorrection {
 
 /// Under normal load.
 struct NormalMechanics {
-  std::shared_ptr<const NormalContact> contact;              ///< without history; cloned for a run
+  std::shared_ptr<const NormalContact> contact;  ///< without history; cloned for a run
+  /// Force [N] that acts beside the contact, over its displacement [m].
+  std::vector<std::function<double(double displacement)>> beside;
   std::vector<std::function<double(double force)>> series;   ///< displacement [m] of what lies in series
   std::vector<DelayedPart> delays;                           ///< displacement [m] that follows the contact's
   std::vector<std::function<double(const Sample&)>> shifts;  ///< displacement [m]; may keep a history

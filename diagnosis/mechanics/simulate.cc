@@ -29,25 +29,26 @@ class NormalRun {
                          ? shifted
                          : contact_displacement(shifted);
     accept(d);
-    return reading(contact_->force(d) + addition(sample, sample.normal_displacement));
+    return reading(force(d) + addition(sample, sample.normal_displacement));
   }
 
   double displacement_at(const Sample& sample) {
     begin_step(sample);
     const double shifted = shift(sample);
-    if (mechanics_.additions.empty() && mechanics_.readings.empty()) {
+    if (mechanics_.beside.empty() && mechanics_.additions.empty() && mechanics_.readings.empty()) {
       const double d = contact_->displacement(sample.normal_force);
       if (std::isfinite(d)) {
         step_ = d - last_;
         last_ = d;
-        const double whole = d + series(sample.normal_force) + delayed(d) + shifted;
+        const double whole =
+            d + series_under(sample.normal_force, sample.normal_force) + delayed(d) + shifted;
         accept(d);
         return whole;
       }
     }
-    const auto whole = [&](double d) { return d + series(contact_->force(d)) + delayed(d) + shifted; };
+    const auto whole = [&](double d) { return d + series(d) + delayed(d) + shifted; };
     const auto excess = [&](double d) {
-      return reading(contact_->force(d) + addition(sample, whole(d))) - sample.normal_force;
+      return reading(force(d) + addition(sample, whole(d))) - sample.normal_force;
     };
     // As far again as the last step went.
     const double root = increasing_root(excess, last_ + step_, std::max(smallest_step, 0.5 * std::abs(step_)),
@@ -87,10 +88,19 @@ class NormalRun {
     for (auto& part : mechanics_.shifts) sum += part(sample);
     return sum;
   }
-  double series(double force) const {
+  /// Of the contact and what acts beside it.
+  double force(double d) const {
+    double sum = contact_->force(d);
+    for (const auto& part : mechanics_.beside) sum += part(d);
+    return sum;
+  }
+  /// Displacement in series with a contact displaced by d.
+  double series(double d) const { return series_under(force(d), contact_->force(d)); }
+  /// The same under a force, and under the contact's own part of it, which finite elements solve for.
+  double series_under(double force, double of_contact) const {
     double sum = 0;
     for (const auto& part : mechanics_.series) sum += part(force);
-    if (mechanics_.correction) sum += mechanics_.correction->displacement(*sample_, force);
+    if (mechanics_.correction) sum += mechanics_.correction->displacement(*sample_, of_contact);
     return sum;
   }
   double addition(const Sample& sample, double displacement) const {
@@ -104,8 +114,8 @@ class NormalRun {
   }
   /// Solves d + series(f(d)) + delayed(d) = given for the contact's own displacement d.
   double contact_displacement(double given) {
-    const double free = given - delayed(0) - series(0);
-    const auto excess = [&](double d) { return d + series(contact_->force(d)) + delayed(d) - given; };
+    const double free = given - delayed(0) - series_under(0, 0);
+    const auto excess = [&](double d) { return d + series(d) + delayed(d) - given; };
     const double step = given - last_given_;
     last_given_ = given;
     last_ = free <= 0

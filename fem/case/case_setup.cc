@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/coated_half_space.h"
 #include "core/error.h"
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
@@ -92,6 +93,13 @@ J2Material material_of(const BodyInput& body) {
   return material;
 }
 
+Film film_of(const BodyInput& body) {
+  if (!body.film.is_there()) return {};
+  Film film{J2Material::elastic(body.film.youngs_modulus, body.film.poisson_ratio), body.film.thickness};
+  film.material.yield_stress = body.film.yield_stress;
+  return film;
+}
+
 CaseInput with_derived_path_length(const CaseInput& input) {
   CaseInput derived = input;
   CaseSetup setup;
@@ -105,6 +113,28 @@ CaseInput with_derived_path_length(const CaseInput& input) {
 
 namespace {
 
+/// Radius of a smooth elastic contact of bodies with films at the largest load or approach [m].
+double filmed_contact_radius(const CaseInput& input, const CaseSetup& setup) {
+  if (!input.particle.film.is_there() && !input.substrate.film.is_there()) return setup.hertz_radius;
+  const auto alone = [](const ElasticBody& body) {
+    return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
+  };
+  double a = setup.hertz_radius;
+  constexpr int enough = 60;  // the modulus changes with less than the radius itself
+  for (int k = 0; k < enough; ++k) {
+    double compliance = 0;
+    for (const BodyInput* body : {&input.particle, &input.substrate}) {
+      const double of_body = alone(elastic_body(*body));
+      const CoatedHalfSpace coated{body->film.is_there() ? alone(elastic_film(body->film)) : of_body, of_body,
+                                   body->film.thickness};
+      compliance += 1 / (body->film.is_there() ? coated.modulus(a) : of_body);
+    }
+    if (input.experiment.control == ExperimentInput::Control::force)
+      a = std::cbrt(0.75 * setup.largest_contact_force() * input.radius * compliance);
+  }
+  return a;
+}
+
 /// Radius that a smooth contact has at most [m]: Hertz', or where a body yields that of a mean pressure of
 /// two yield stresses. A sphere that is indented until all below it flows carries 2.84 of them, less where
 /// the contact is wide (Jackson & Green 2005). Under a given approach its contact is 1.49 times Hertz' at 650
@@ -112,11 +142,15 @@ namespace {
 double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   constexpr double mean_pressure = 2, piled_up = 1.5;  // of the yield stress, of Hertz' radius
   const double yield =
-      std::min(make_plasticity(input.particle).yield_stress, make_plasticity(input.substrate).yield_stress);
+      std::min({make_plasticity(input.particle).yield_stress, make_plasticity(input.substrate).yield_stress,
+                input.particle.film.yield_stress, input.substrate.film.yield_stress});
+  // On a film much thinner than the contact is wide it is up to the root of two wider than on a homogeneous
+  // body (Perriot & Barthel 2004).
+  const double filmed = setup.filmed_radius > setup.hertz_radius ? M_SQRT2 * setup.filmed_radius : 0;
   double flowing = std::sqrt(setup.largest_contact_force() / (M_PI * mean_pressure * yield));
   if (input.experiment.control == ExperimentInput::Control::displacement)
     flowing = std::min(flowing, piled_up * setup.hertz_radius);
-  return std::max(setup.hertz_radius, flowing);
+  return std::max({setup.hertz_radius, flowing, filmed});
 }
 
 /// Radius to which attraction of a range of nothing draws a smooth contact [m]: the most that it can
@@ -186,6 +220,7 @@ void require_friction_that_does_not_jump(const CaseInput& input, const CaseSetup
 CaseSetup set_up_sizes(const CaseInput& input) {
   CaseSetup setup;
   find_hertz_scales(input, setup);
+  setup.filmed_radius = filmed_contact_radius(input, setup);
   setup.largest_radius = largest_contact_radius(input, setup);
   const double R = input.radius;
   const bool force = input.experiment.control == ExperimentInput::Control::force;
@@ -196,6 +231,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
   setup.roughness[0].scales = topography_scales(upper);
   setup.roughness[1].scales = topography_scales(lower);
 
+  setup.system.films = {film_of(input.particle), film_of(input.substrate)};
   const double spacing =
       input.mesh.interface_spacing == 0 ? derived_spacing(setup) : input.mesh.interface_spacing;
 

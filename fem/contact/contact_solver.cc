@@ -25,7 +25,7 @@ ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& 
       tractions_(system, options_.friction.get(), options_.adhesion, penalty_),
       prediction_(system.options().mesh.sizes.radius, system.options().mesh.sizes.region_particle),
       elastic_diagonal_(
-          HexOperator<double>(system.level(), system.positions(), system.options().materials).diagonal()) {
+          HexOperator<double>(system.level(), system.positions(), system.materials()).diagonal()) {
   const auto& gaps = system.initial_gaps();
   touch_offset_ = options_.touch_offset.value_or(*std::min_element(gaps.begin(), gaps.end()));
   // Snap-in and pull-off release much energy and take many iterations.

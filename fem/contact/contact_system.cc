@@ -8,10 +8,14 @@
 namespace asperity::fem {
 
 ContactSystem::ContactSystem(MPI_Comm communicator, const ContactSystemOptions& options)
-    : options_(options), geometry_(options.mesh), forest_(meshing::make_forest(communicator, options.mesh)) {
+    : options_(options),
+      geometry_(options.mesh),
+      forest_(meshing::make_forest(communicator, options.mesh)),
+      materials_(options.materials, options.films) {
   level_ = std::make_unique<MeshLevel>(*forest_, options.control);
+  level_->take_films(geometry_, materials_);
   positions_ = level_->node_positions(geometry_);
-  bodies_ = std::make_unique<PlasticBodies>(*level_, positions_, options.materials);
+  bodies_ = std::make_unique<PlasticBodies>(*level_, positions_, materials_);
   find_faces();
   couple();
   describe_rows();
@@ -40,8 +44,19 @@ void ContactSystem::describe_rows() {
         std::min({p[0] - smallest[0], p[1] - smallest[1], largest[0] - p[0], largest[1] - p[1]});
     on_rim_.push_back(inside < 0.5 * options_.mesh.sizes.spacing_particle);
   }
-  linear_ = make_linear_solver(options_.backend, {*level_, positions_, options_.materials, *interface_, rows_,
-                                                  options_.mesh, geometry_, options_.control});
+  linear_ = linear_solver(materials_);
+}
+
+std::unique_ptr<LinearSolver> ContactSystem::linear_solver(const CellMaterials& materials) const {
+  return make_linear_solver(options_.backend, {*level_, positions_, materials, *interface_, rows_,
+                                               options_.mesh, geometry_, options_.control});
+}
+
+std::unique_ptr<LinearSolver> ContactSystem::linear_without_films() const {
+  if (!materials_.has_films()) return nullptr;
+  std::array<Film, 2> as_bodies = options_.films;
+  for (int b = 0; b < 2; ++b) as_bodies[b].material = options_.materials[b];
+  return linear_solver({options_.materials, as_bodies});
 }
 
 void ContactSystem::find_faces() {

@@ -16,6 +16,7 @@ namespace asperity::fem {
 struct ContactSystemOptions {
   meshing::ContactMeshOptions mesh;
   std::array<J2Material, 2> materials;  ///< particle, substrate
+  std::array<Film, 2> films{};          ///< on them
   Control control = Control::force;
   std::string backend = "matrix-free";  ///< see make_linear_solver
   /// Whether pressure acts along the normals of the substrate's deformed surface, as it must where bodies
@@ -30,6 +31,7 @@ class ContactSystem {
   const MeshLevel& level() const { return *level_; }
   const ContactSystemOptions& options() const { return options_; }
   const meshing::RoughGeometry& geometry() const { return geometry_; }
+  const CellMaterials& materials() const { return materials_; }
   const meshing::Triangulation& forest() const { return *forest_; }
   const Vector<double>& positions() const { return positions_; }
   const std::vector<GapRow>& rows() const { return rows_; }
@@ -48,6 +50,8 @@ class ContactSystem {
   const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
   LinearSolver& linear() { return *linear_; }
   const LinearSolver& linear() const { return *linear_; }
+  /// Another one of the bodies without their films; null: they have none.
+  std::unique_ptr<LinearSolver> linear_without_films() const;
   /// Place of each row's node in the substrate's frame, without shift, displacement and, without tilted
   /// normals, spin [m].
   const std::vector<std::array<double, 3>>& row_points() const { return row_points_; }
@@ -79,10 +83,12 @@ class ContactSystem {
   void tilt(const Vector<double>& displacement);
   void find_initial_gaps();
   void describe_rows();
+  std::unique_ptr<LinearSolver> linear_solver(const CellMaterials& materials) const;
 
   ContactSystemOptions options_;
   meshing::RoughGeometry geometry_;
   std::unique_ptr<meshing::Triangulation> forest_;
+  CellMaterials materials_;
   std::unique_ptr<MeshLevel> level_;
   Vector<double> positions_;
   std::unique_ptr<PlasticBodies> bodies_;

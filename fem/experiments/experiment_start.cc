@@ -55,10 +55,7 @@ bool ContactExperiment::start() {
   say("meshing: " + format_quantity(sizes.spacing_particle, Dimension::length) + " at the interface over ±" +
       format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
       format_quantity(setup_.hertz_radius, Dimension::length));
-  for (int body = 0; body < 2; ++body)
-    if (setup_.roughness[body].rough())
-      say(resolution_text(setup_.roughness[body], body == 0 ? "particle" : "substrate"));
-  if (const std::string text = attraction_text(setup_); !text.empty()) say(text);
+  for (const std::string& text : resolution_texts(setup_)) say(text);
   mesh(path_.first(), nullptr);
   state_ = solver_->first_touch();
   state_.motion = program_.front().motion;

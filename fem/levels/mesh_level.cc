@@ -38,7 +38,7 @@ void MeshLevel::add_to_batch(const Cell& cell, int index) {
           "the unknowns of a node are not numbered together; this build of deal.II is not supported");
     batch.node[v][batch.count] = static_cast<int>(local / 3);
   }
-  batch.body[batch.count] = static_cast<unsigned char>(cell->material_id());
+  batch.body[batch.count] = batch.material[batch.count] = static_cast<unsigned char>(cell->material_id());
   place_of_cell_[cell->active_cell_index()] = lanes * index + batch.count++;
 }
 
@@ -71,7 +71,22 @@ void MeshLevel::make_batches() {
   for (int l = last.count; l < lanes; ++l) {
     for (auto& nodes : last.node) nodes[l] = nodes[0];
     last.body[l] = last.body[0];
+    last.material[l] = last.material[0];
   }
+}
+
+void MeshLevel::take_films(const meshing::RoughGeometry& geometry, const CellMaterials& materials) {
+  if (!materials.has_films()) return;
+  for (const auto& cell : dofs_->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const auto [index, lane] = place_of(cell->active_cell_index());
+    CellBatch& batch = batches_[index];
+    const int body = batch.body[lane];
+    batch.material[lane] =
+        materials.number(body, geometry.film_share(meshing::logical_box(cell), materials.thickness()[body]));
+  }
+  for (CellBatch& batch : batches_)
+    for (int l = batch.count; l < lanes; ++l) batch.material[l] = batch.material[0];
 }
 
 std::vector<int> MeshLevel::slabs_of_batches(int slabs) const {

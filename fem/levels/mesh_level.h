@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fem/cells/simd.h"
-#include "fem/materials/j2_plasticity.h"
+#include "fem/levels/cell_materials.h"
 #include "meshing/contact_mesh.h"
 
 namespace asperity::fem {
@@ -29,6 +29,7 @@ enum class Control { force, displacement };
 struct CellBatch {
   std::array<std::array<int, lanes>, vertices_per_hex> node;
   std::array<unsigned char, lanes> body;
+  std::array<unsigned char, lanes> material;  ///< its number (cell_materials.h); the body's without a film
   int count = 0;
 };
 
@@ -51,6 +52,8 @@ class MeshLevel {
   }
   MPI_Comm communicator() const { return communicator_; }
   const std::vector<CellBatch>& batches() const { return batches_; }
+  /// Numbers the materials of cells that lie in films.
+  void take_films(const meshing::RoughGeometry& geometry, const CellMaterials& materials);
   /// Batch and lane of an owned cell, by its number among the active cells.
   std::pair<int, int> place_of(unsigned active_cell) const {
     return {place_of_cell_[active_cell] / lanes, place_of_cell_[active_cell] % lanes};

@@ -1,8 +1,7 @@
 // Materials of the cells of a batch, lane by lane.
 #pragma once
 
-#include <array>
-
+#include "fem/levels/cell_materials.h"
 #include "fem/levels/mesh_level.h"
 
 namespace asperity::fem {
@@ -12,9 +11,9 @@ struct BatchMaterials {
   Simd<double> shear, bulk;  ///< [Pa]
   bool can_yield = false;
 
-  BatchMaterials(const CellBatch& batch, const std::array<J2Material, 2>& materials) {
+  BatchMaterials(const CellBatch& batch, const CellMaterials& materials) {
     for (int l = 0; l < lanes; ++l) {
-      lane[l] = &materials[batch.body[l]];
+      lane[l] = &materials[batch.material[l]];
       shear[l] = lane[l]->shear_modulus;
       bulk[l] = lane[l]->bulk_modulus;
       can_yield = can_yield || lane[l]->can_yield();

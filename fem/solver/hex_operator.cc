@@ -9,14 +9,14 @@ namespace asperity::fem {
 
 template <typename Number>
 HexOperator<Number>::HexOperator(const MeshLevel& level, const Vector<double>& positions,
-                                 const std::array<J2Material, 2>& materials)
+                                 const CellMaterials& materials)
     : level_(level) {
   const std::size_t local =
       level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
   positions_.assign(positions.begin(), positions.begin() + local);
-  for (int b = 0; b < 2; ++b) {
-    shear_[b] = static_cast<Number>(materials[b].shear_modulus);
-    bulk_[b] = static_cast<Number>(materials[b].bulk_modulus);
+  for (const J2Material& material : materials.all()) {
+    shear_.push_back(static_cast<Number>(material.shear_modulus));
+    bulk_.push_back(static_cast<Number>(material.bulk_modulus));
   }
 }
 
@@ -106,8 +106,8 @@ void HexOperator<Number>::forces_of(int index, HexStrain<Simd<Number>>& strain,
   evaluate_strain<Number>(nodes, strain);
   V two_shear, bulk;
   for (int l = 0; l < lanes; ++l) {
-    two_shear[l] = 2 * shear_[batch.body[l]];
-    bulk[l] = bulk_[batch.body[l]];
+    two_shear[l] = 2 * shear_[batch.material[l]];
+    bulk[l] = bulk_[batch.material[l]];
   }
   const auto* yielding = yields(index) ? tangent_->batch[index].get() : nullptr;
   std::array<SymmetricTensor<V>, points_per_hex> stress;
@@ -186,8 +186,8 @@ void HexOperator<Number>::find_bulk_diagonal() const {
       for (int l = 0; l < batch.count; ++l)
         for (int c = 0; c < 3; ++c)
           d[3 * batch.node[v][l] + c] +=
-              static_cast<double>(shear_[batch.body[l]]) * entry[c][l] +
-              static_cast<double>(bulk_[batch.body[l]]) * mean[c][l] * mean[c][l] / strain.cell_volume[l];
+              static_cast<double>(shear_[batch.material[l]]) * entry[c][l] +
+              static_cast<double>(bulk_[batch.material[l]]) * mean[c][l] * mean[c][l] / strain.cell_volume[l];
     }
   });
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fem/cells/hex_kernel.h"
+#include "fem/levels/cell_materials.h"
 #include "fem/levels/mesh_level.h"
-#include "fem/materials/j2_plasticity.h"
 #include "fem/mortar/interface_operator.h"
 #include "fem/solver/parallelepiped_batches.h"
 
@@ -22,9 +22,8 @@ struct TangentField {
 template <typename Number>
 class HexOperator {
  public:
-  /// positions: of the nodes, ghosts up to date; elastic constants by body.
-  HexOperator(const MeshLevel& level, const Vector<double>& positions,
-              const std::array<J2Material, 2>& materials);
+  /// positions: of the nodes, ghosts up to date.
+  HexOperator(const MeshLevel& level, const Vector<double>& positions, const CellMaterials& materials);
 
   /// Interface stiffness and tangents that vmult adds; null: none. Not owned.
   void set_interface(const InterfaceOperator* interface) { interface_ = interface; }
@@ -71,8 +70,8 @@ class HexOperator {
   void forces_of(int batch, HexStrain<Simd<Number>>& strain, Simd<Number> (&nodes)[3][8]) const;
 
   const MeshLevel& level_;
-  std::vector<Number> positions_;  ///< local, owned then ghosts [m]
-  std::array<Number, 2> shear_, bulk_;
+  std::vector<Number> positions_;              ///< local, owned then ghosts [m]
+  std::vector<Number> shear_, bulk_;           ///< by number of the material [Pa]
   mutable std::vector<double> bulk_diagonal_;  ///< of K, local, not condensed [N/m]; empty: not yet asked for
   std::unique_ptr<ParallelepipedBatches> parallelepipeds_;  ///< null: all cells as they are
   const InterfaceOperator* interface_ = nullptr;

@@ -44,7 +44,7 @@ class LinearSolver {
 struct LinearProblem {
   const MeshLevel& level;
   const Vector<double>& positions;
-  const std::array<J2Material, 2>& materials;
+  const CellMaterials& materials;
   InterfaceOperator& interface;  ///< of `level`
   const std::vector<GapRow>& rows;
   const meshing::ContactMeshOptions& mesh;

@@ -8,7 +8,7 @@
 
 namespace asperity::fem {
 Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
-                     const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials) {
+                     const meshing::RoughGeometry& geometry, const CellMaterials& materials) {
   const int finest_level = std::max(geometry.map().finest_level(meshing::Body::particle),
                                     geometry.map().finest_level(meshing::Body::substrate));
   std::vector<std::unique_ptr<MeshLevel>> meshes;
@@ -19,7 +19,10 @@ Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel
   level_.resize(meshes.size() + 1);
   for (std::size_t l = 0; l < level_.size(); ++l) {
     Level& level = level_[l];
-    if (l + 1 < level_.size()) level.owned_mesh = std::move(meshes[l]);
+    if (l + 1 < level_.size()) {
+      level.owned_mesh = std::move(meshes[l]);
+      level.owned_mesh->take_films(geometry, materials);
+    }
     level.mesh = level.owned_mesh ? level.owned_mesh.get() : &finest;
     level.matrix =
         std::make_unique<HexOperator<float>>(*level.mesh, level.mesh->node_positions(geometry), materials);

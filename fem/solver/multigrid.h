@@ -19,7 +19,7 @@ class Multigrid {
  public:
   /// finest: level of the full mesh of `options`; coarser levels are made here.
   Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,
-            const meshing::RoughGeometry& geometry, const std::array<J2Material, 2>& materials);
+            const meshing::RoughGeometry& geometry, const CellMaterials& materials);
 
   /// Builds the interface on every level from the rows of the finest mesh, or builds it anew, with the
   /// particle moved by `motion`.

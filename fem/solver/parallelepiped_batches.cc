@@ -67,8 +67,8 @@ Sixteen side_by_side(const Eight& a, const Eight& b) {
 }  // namespace
 
 ParallelepipedBatches::ParallelepipedBatches(const MeshLevel& level, const std::vector<float>& positions,
-                                             const std::array<float, 2>& shear,
-                                             const std::array<float, 2>& bulk) {
+                                             const std::vector<float>& shear,
+                                             const std::vector<float>& bulk) {
   const int last_node = static_cast<int>(positions.size() / 3) - 1;
   for (const CellBatch& batch : level.batches()) {
     place_.push_back(-1);
@@ -83,8 +83,8 @@ ParallelepipedBatches::ParallelepipedBatches(const MeshLevel& level, const std::
     if (distortion > largest_distortion) continue;
     Eight stiffness;
     for (int l = 0; l < lanes; ++l) {
-      stiffness[l] = shear[batch.body[l]];
-      cells.bulk_ratio[l] = bulk[batch.body[l]] / shear[batch.body[l]];
+      stiffness[l] = shear[batch.material[l]];
+      cells.bulk_ratio[l] = bulk[batch.material[l]] / shear[batch.material[l]];
     }
     const Eight scale = 0.25f * square_root(Eight(stiffness * strain.cell_volume));
     for (auto& direction : cells.gradient)

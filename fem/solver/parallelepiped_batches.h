@@ -13,9 +13,9 @@ namespace asperity::fem {
 
 class ParallelepipedBatches {
  public:
-  /// positions: local nodes [m]; shear and bulk modulus by body [Pa].
+  /// positions: local nodes [m]; shear and bulk modulus by number of the material [Pa].
   ParallelepipedBatches(const MeshLevel& level, const std::vector<float>& positions,
-                        const std::array<float, 2>& shear, const std::array<float, 2>& bulk);
+                        const std::vector<float>& shear, const std::vector<float>& bulk);
 
   /// Whether a batch is one of them.
   bool holds(int batch) const { return place_[batch] >= 0; }

@@ -20,7 +20,7 @@ double von_mises(const SymmetricTensor<double>& s) {
 }  // namespace
 
 PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions,
-                             const std::array<J2Material, 2>& materials)
+                             const CellMaterials& materials)
     : level_(level), materials_(materials), history_(level.batches().size()), tried_(level.batches().size()) {
   const std::size_t local =
       level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();

@@ -49,8 +49,7 @@ class PlasticBodies {
   };
   using History = std::array<PointHistory, points_per_hex>;
 
-  PlasticBodies(const MeshLevel& level, const Vector<double>& positions,
-                const std::array<J2Material, 2>& materials);
+  PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const CellMaterials& materials);
 
   /// Of the step that the next calls are about.
   void begin_step(const StepTime& time) { time_ = time; }
@@ -92,7 +91,7 @@ class PlasticBodies {
   double approach_error() const { return approach_error_; }
   void take_approach_error(double error) { approach_error_ = error; }
 
-  bool can_yield() const { return materials_[0].can_yield() || materials_[1].can_yield(); }
+  bool can_yield() const { return materials_.can_yield(); }
 
  private:
   void evaluate(int batch, const double* u, HexStrain<Simd<double>>& strain) const;
@@ -108,7 +107,7 @@ class PlasticBodies {
 
   const MeshLevel& level_;
   std::vector<double> positions_;
-  std::array<J2Material, 2> materials_;
+  CellMaterials materials_;
   StepTime time_;
   double approach_error_ = 0, tried_approach_error_ = 0;  ///< [m], of all ranks
   std::vector<std::unique_ptr<History>> history_,

@@ -59,10 +59,10 @@ void add_preview(py::module_& module) {
           "Relative.")
       .def_property_readonly(
           "lateral_stiffness", [](const CasePreview& p) { return p.fine.lateral_stiffness; },
-          "Of what touches, stuck together [N/m].")
+          "Of what touches, stuck together [N/m]; 0: bodies with films.")
       .def_property_readonly(
           "torsion_stiffness", [](const CasePreview& p) { return p.fine.torsion_stiffness; },
-          "About the axis of the sphere [N m/rad].")
+          "About the axis of the sphere [N m/rad]; 0: bodies with films.")
       .def_property_readonly(
           "attraction", [](const CasePreview& p) { return p.fine.attracting; },
           "Of the surfaces, which the contact carries beside the force [N].")

@@ -86,11 +86,12 @@ void say_shear(const CaseInput& input, const PreviewedCase& preview, const Say& 
   };
   const bool pressed = force > 0;
   const SmoothShear smooth = pressed ? smooth_shear(input, force) : SmoothShear{};
-  say("stuck together: lateral stiffness " + stiffness_text(fine.lateral_stiffness) + " (" +
-      off(fine.lateral_stiffness, coarse.lateral_stiffness) +
-      (pressed ? "; " + stiffness_text(smooth.lateral) : "") + "), torsion stiffness " +
-      torsion_text(fine.torsion_stiffness) + " (" + off(fine.torsion_stiffness, coarse.torsion_stiffness) +
-      (pressed ? "; " + torsion_text(smooth.torsion) : "") + ")");
+  if (fine.lateral_stiffness > 0)
+    say("stuck together: lateral stiffness " + stiffness_text(fine.lateral_stiffness) + " (" +
+        off(fine.lateral_stiffness, coarse.lateral_stiffness) +
+        (pressed ? "; " + stiffness_text(smooth.lateral) : "") + "), torsion stiffness " +
+        torsion_text(fine.torsion_stiffness) + " (" + off(fine.torsion_stiffness, coarse.torsion_stiffness) +
+        (pressed ? "; " + torsion_text(smooth.torsion) : "") + ")");
   if (!preview.slip) return;
   const FullSlip &slip = *preview.slip, &coarse_slip = *preview.coarse_slip;
   say("slipping all over: lateral force " + quantity(slip.lateral_force, Dimension::force) + " (" +
@@ -141,8 +142,11 @@ std::vector<std::string> left_out_sentences(const LeftOutOfPreview& left_out) {
   if (left_out.adhesion)
     sentences.push_back(
         "adhesion is left out: it acts in a zone at the edge of the contact that is too small for cells, as "
-        "in "
-        "JKR's limit; of smooth bodies the pull-off force is 1.5 pi w R there");
+        "in JKR's limit; of smooth bodies the pull-off force is 1.5 pi w R there");
+  if (left_out.shear_of_films)
+    sentences.push_back(
+        "lateral and torsion stiffness are left out: half-spaces with films are solved under normal load "
+        "alone");
   if (left_out.finite_bodies)
     sentences.push_back(
         "the approach is that of half-spaces from first touch: what the finite bodies give way in the case "

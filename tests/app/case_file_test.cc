@@ -178,4 +178,27 @@ TEST(NearestName_behaviour, counts_a_swap_of_neighbours_as_one_edit) {
   EXPECT_EQ(nearest_name("xyz", {"Hardening", "Radius"}), "");
 }
 
+TEST(CaseFile_behaviour, a_film_is_read_with_all_that_it_needs_and_refused_without) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const std::vector<std::string> film{"Substrate/Film thickness=5 nm", "Substrate/Film Young modulus=70 GPa",
+                                      "Substrate/Film Poisson ratio=0.17",
+                                      "Substrate/Film yield stress=2 GPa"};
+  const CaseInput input = read_case(file, film);
+  EXPECT_FALSE(input.particle.film.is_there());
+  EXPECT_DOUBLE_EQ(input.substrate.film.thickness, 5e-9);
+  EXPECT_DOUBLE_EQ(input.substrate.film.youngs_modulus, 70e9);
+  EXPECT_DOUBLE_EQ(input.substrate.film.poisson_ratio, 0.17);
+  EXPECT_DOUBLE_EQ(input.substrate.film.yield_stress, 2e9);
+  EXPECT_EQ(input.physical_entries.at("Substrate/Film thickness"), "5 nm");
+  // A case without films is of the same contact as before there were any.
+  EXPECT_EQ(read_case(file).physical_entries.count("Substrate/Film thickness"), 0u);
+  EXPECT_CONTAINS(refusal_of_override({film[0], film[2]}),
+                  "Substrate/Film thickness is given and Film Young modulus is not; give it");
+  EXPECT_CONTAINS(refusal_of_override({film[0], film[1]}), "and Film Poisson ratio is not; give it");
+  EXPECT_CONTAINS(refusal_of_override({film[1]}),
+                  "Substrate/Film Young modulus is given and Film thickness is not; give it");
+  EXPECT_CONTAINS(refusal_of_override({film[0], "Substrate/Film Young modulus=0 Pa", film[2]}), "above 0");
+}
+
 }  // namespace asperity

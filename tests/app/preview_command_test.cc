@@ -77,6 +77,23 @@ TEST(Preview_behaviour, caps_the_pressures_of_bodies_that_yield_and_says_what_is
   EXPECT_CONTAINS(harder.output, "hardness of 3 GPa");
 }
 
+TEST(Preview_behaviour, a_film_softens_the_contact_and_leaves_its_shear_out) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", smooth_case());
+  const auto output = folder.path / "preview";
+  const Outcome outcome = call("preview " + file.string() + " --output " + output.string() +
+                               " --set 'Substrate/Film thickness=100 nm' --set 'Substrate/Film Young "
+                               "modulus=10 GPa' --set 'Substrate/Film Poisson ratio=0.3'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_CONTAINS(outcome.output, "lateral and torsion stiffness are left out: half-spaces with films");
+  EXPECT_EQ(outcome.output.find("stuck together"), std::string::npos) << outcome.output;
+  const auto said = nlohmann::json::parse(read_file(output / "preview.json"));
+  const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
+  EXPECT_GT(said["elastic"]["approach"]["value"].get<double>(), 1.1 * hertz.approach(1e-3));
+  EXPECT_LT(said["elastic"]["max_pressure"]["value"].get<double>(), 0.95 * hertz.peak_pressure(1e-3));
+  EXPECT_FALSE(said["elastic"].contains("lateral_stiffness"));
+}
+
 TEST(Preview_analytic, a_smooth_case_that_slides_slips_as_Mindlin_found) {
   const TemporaryFolder folder;
   const auto file = folder.write("case.prm", smooth_case());

@@ -107,6 +107,8 @@ const std::vector<WorldDigest>& known_worlds() {
       {Motion::normal, "adhesion_hysteresis", "", 2u, 780, 2.43890513e-05, 0.0033249311},
       {Motion::normal, "pop_in", "", 1u, 780, 8.42389936e-05, -0.004435515},
       {Motion::normal, "pop_in", "", 4u, 780, 0.000360678539, -0.00532602514},
+      {Motion::normal, "interference", "", 1u, 780, 9.53100266e-05, -0.000990562224},
+      {Motion::normal, "interference", "", 4u, 780, 0.000434662884, -8.55378346e-05},
       {Motion::normal, "piezo_hysteresis", "", 1u, 780, 9.70314552e-05, 0.00662443351},
       {Motion::normal, "piezo_hysteresis", "", 4u, 780, 0.000436752935, 0.00918050711},
       {Motion::normal, "thermal_oscillation", "", 1u, 780, 9.56925347e-05, -0.0113030151},

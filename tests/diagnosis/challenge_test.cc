@@ -80,8 +80,8 @@ TEST(Challenge_behaviour, nulls_outsiders_and_look_alikes_have_right_answers_of_
   EXPECT_FALSE(scored("null", {}, "unexplained", {}).is_right());
   EXPECT_TRUE(scored("finite_elements", {}, "no_mismatch", {}).is_right());
   EXPECT_FALSE(scored("finite_elements", {}, "explained", {"a"}).is_right());
-  EXPECT_TRUE(scored("out_of_catalogue", {"pop_in"}, "unexplained", {}).is_right());
-  EXPECT_FALSE(scored("out_of_catalogue", {"pop_in"}, "explained", {"a"}).is_right());
+  EXPECT_TRUE(scored("out_of_catalogue", {"interference"}, "unexplained", {}).is_right());
+  EXPECT_FALSE(scored("out_of_catalogue", {"interference"}, "explained", {"a"}).is_right());
   ChallengeScore alike = scored("indistinguishable", {"a"}, "ambiguous", {"b"});
   EXPECT_FALSE(alike.is_right());
   alike.alternatives = {{"b"}, {"a"}};

@@ -288,14 +288,14 @@ TEST(WorldDice_behaviour, parameters_are_kept_with_their_effect) {
   hidden::World world;
   EXPECT_EQ(world.hide("creep", "model", "amplitude", 3), 3);
   EXPECT_EQ(world.hide("creep", "other", "time_constant", 4, false), 4);
-  world.hide("pop_in", "", "", 0);
+  world.hide("interference", "", "", 0);
   ASSERT_EQ(world.effects.size(), 2u);
   EXPECT_EQ(world.effects[0].model, "model");
   EXPECT_TRUE(world.effects[0].in_catalogue);
   EXPECT_FALSE(world.effects[0].parameters.at("time_constant").is_the_catalogues);
   EXPECT_FALSE(world.effects[1].in_catalogue);
   EXPECT_TRUE(world.effects[1].parameters.empty());
-  EXPECT_TRUE(world.hides("pop_in"));
+  EXPECT_TRUE(world.hides("interference"));
   EXPECT_FALSE(world.hides("adhesion"));
   EXPECT_EQ(world.value("creep", "time_constant"), 4);
   EXPECT_EQ(world.value("creep", "slope"), 0);

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 
 #include "core/error.h"
 #include "dem_compare/laws/maugis_dugdale.h"
+#include "diagnosis/catalogue/effect.h"
+#include "diagnosis/conceal/normal_truth.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
 
@@ -36,8 +39,10 @@ class AttractingStandIn : public ForwardModel {
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                     const std::vector<LoadingProtocol>& protocols,
                                     const EnoughOfIt&) override {
-    double work = 0, range = 0, of_radius = sphere_radius, spacing = case_spacing;
+    double work = 0, opening = 0, range = 0, of_radius = sphere_radius, spacing = case_spacing;
     for (const auto& change : changes) {
+      if (change.entry.find("/Film ") != std::string::npos) throw WorkError("this stand-in has no films");
+      if (change.entry == "Interface/Work of adhesion on separation") opening = change.value;
       if (change.entry == "Interface/Work of adhesion") work = change.value;
       if (change.entry == "Interface/Adhesion range") range = change.value;
       if (change.entry == "Mesh/Interface spacing") spacing = change.value;
@@ -50,8 +55,9 @@ class AttractingStandIn : public ForwardModel {
           std::min(least_cells_over_zone, M_PI * modulus() * range * range / (4 * work) / spacing);
     std::vector<SolvedResponse> responses;
     for (const auto& protocol : protocols)
-      responses.push_back(work > 0 ? attracted(protocol, {modulus(), of_radius, work, work / range})
-                                   : pressed(protocol, of_radius));
+      responses.push_back(
+          work > 0 ? attracted(protocol, {modulus(), of_radius, work, work / range}, std::max(work, opening))
+                   : pressed(protocol, of_radius));
     return responses;
   }
 
@@ -73,16 +79,19 @@ class AttractingStandIn : public ForwardModel {
     r.displacement_error = 0.02 * nm;
     return r;
   }
-  SolvedResponse attracted(const LoadingProtocol& protocol, const MaugisDugdale& law) {
+  SolvedResponse attracted(const LoadingProtocol& protocol, const MaugisDugdale& law, double opening) {
     ++attracting;
     EXPECT_GT(protocol.approach, 0);
     SolvedResponse r;
     constexpr int steps = 60;
-    NormalState state;
+    MaugisDugdale of_opening = law;
+    of_opening.work_of_adhesion = opening;
+    of_opening.cohesive_stress *= opening / law.work_of_adhesion;  // over the same range
+    hidden::HystereticTruth contact(law, of_opening);
     const auto go = [&](double approach) {
-      state = law.advance(state, approach);
       r.displacement.push_back(approach);
-      r.force.push_back(state.force);
+      r.force.push_back(contact.force(approach, 0));
+      contact.take(approach, 0);
     };
     for (int i = 1; i <= steps; ++i) go(protocol.approach * i / steps);
     r.peak = steps - 1;
@@ -93,8 +102,8 @@ class AttractingStandIn : public ForwardModel {
   }
 };
 
-/// Pressed to a depth, back, and pulled off.
-Recording pulled(const MaugisDugdale& law, double depth, double noise) {
+/// Pressed to a depth, back, and pulled off: the force of each displacement, with noise.
+Recording pulled(const std::function<double(double)>& force_at, double depth, double noise) {
   Recording r;
   r.mode = Motion::normal;
   r.particle = test::borosilicate();
@@ -105,20 +114,27 @@ Recording pulled(const MaugisDugdale& law, double depth, double noise) {
   table.response = "normal_force";
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
-  NormalState state;
   const double back = 4 * nm;
   for (int i = 0; i <= 300; ++i) {
     const double d = -back + (depth + back) * (i <= 150 ? i / 150.0 : (300 - i) / 150.0);
-    if (law.work_of_adhesion > 0) state = law.advance(state, d);
-    const double force =
-        law.work_of_adhesion > 0 ? state.force : Hertz{law.reduced_modulus, law.radius}.force(d);
     table.columns["time"].push_back(0.1 * i);
     table.columns["normal_displacement"].push_back(d);
-    table.columns["normal_force"].push_back(force + noise * normal(random));
+    table.columns["normal_force"].push_back(force_at(d) + noise * normal(random));
     table.segment.push_back(i <= 150 ? "load" : "unload");
   }
   r.tables = {table};
   return r;
+}
+
+Recording pulled(const MaugisDugdale& law, double depth, double noise) {
+  NormalState state;
+  return pulled(
+      [&](double d) {
+        if (law.work_of_adhesion == 0) return Hertz{law.reduced_modulus, law.radius}.force(d);
+        state = law.advance(state, d);
+        return state.force;
+      },
+      depth, noise);
 }
 
 Diagnosis diagnosed(const Recording& recording, ForwardModel& simulation) {
@@ -168,6 +184,78 @@ TEST(SolvedAttraction_analytic, attraction_of_a_short_range_is_solved_on_meshes_
   EXPECT_EQ(mesh.entry, "Mesh/Interface spacing");
   EXPECT_LT(mesh.value, 20 * nm);
   EXPECT_GT(mesh.value, 4 * nm);  // no finer than a workstation solves in minutes
+}
+
+TEST(SolvedAttraction_analytic, two_works_of_adhesion_are_those_on_approach_and_on_separation) {
+  const double closing = 0.1, opening = 0.5, range = 0.3 * nm;
+  hidden::HystereticTruth truth({modulus(), sphere_radius, closing, closing / range},
+                                {modulus(), sphere_radius, opening, opening / range});
+  const auto force = [&](double d) {
+    const double f = truth.force(d, 0);
+    truth.take(d, 0);
+    return f;
+  };
+  AttractingStandIn simulation;
+  const Diagnosis d = diagnosed(pulled(force, 8 * nm, 0.5e-6), simulation);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "adhesion_hysteresis");
+  EXPECT_EQ(d.left_out[0].form, "entries of the case");
+  ASSERT_EQ(d.corrected().size(), 3u);
+  EXPECT_EQ(d.corrected()[0].entry, "Interface/Work of adhesion");
+  EXPECT_NEAR(d.corrected()[0].value / closing, 1, 0.15);
+  EXPECT_EQ(d.corrected()[2].entry, "Interface/Work of adhesion on separation");
+  EXPECT_NEAR(d.corrected()[2].value / opening, 1, 0.05);
+}
+
+TEST(SolvedAttraction_analytic, electrostatic_attraction_stands_beside_the_solution) {
+  const Hertz hertz{modulus(), sphere_radius};
+  const double voltage = 12, distance = 3 * nm, permittivity = 8.8541878128e-12;
+  const auto force = [&](double d) {
+    const double z = distance + std::max(0.0, -d);
+    const double pull =
+        M_PI * permittivity * std::pow(voltage * sphere_radius, 2) / (z * (z + sphere_radius));
+    return (d > 0 ? hertz.force(d) : 0.0) - pull;
+  };
+  AttractingStandIn simulation;
+  const Diagnosis d = diagnosed(pulled(force, 10 * nm, 0.2e-6), simulation);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "electrostatic");
+  EXPECT_EQ(d.left_out[0].form, "reduced law beside the solution");
+  EXPECT_NEAR(d.left_out[0].parameters[0].value / voltage, 1, 0.1);
+}
+
+/// What effects say in a case.
+TEST(EffectsInCase_analytic, a_bridge_is_attraction_out_to_where_it_ruptures) {
+  Experiment e;
+  e.particle = sphere, e.substrate = plane, e.radius = sphere_radius, e.largest_force = 100e-6;
+  const double of_bridge[] = {5e-6, 8 * nm};
+  const Effect& bridge = effect_of("capillary");
+  const auto changes = bridge.case_changes(e, of_bridge);
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0].entry, "Interface/Work of adhesion");
+  EXPECT_NEAR(changes[0].value, 5e-6 / (2 * M_PI * sphere_radius), 1e-9);
+  EXPECT_EQ(changes[1].entry, "Interface/Adhesion range");
+  EXPECT_DOUBLE_EQ(changes[1].value, 8 * nm);
+  EXPECT_GT(bridge.opening_distance(e, of_bridge), 1.25 * 8 * nm);
+}
+
+TEST(EffectsInCase_analytic, a_film_lies_on_the_softer_body_and_is_all_of_its_modulus) {
+  Experiment e;
+  e.particle = sphere, e.substrate = plane, e.radius = sphere_radius, e.largest_force = 100e-6;
+  e.largest_displacement = 6 * nm, e.by_finite_elements = true;
+  const double of_film[] = {0.25, 40 * nm};
+  const Effect& film = effect_of("film");
+  const auto changes = film.case_changes(e, of_film);
+  ASSERT_EQ(changes.size(), 3u);
+  EXPECT_EQ(changes[0].entry, "Particle/Film thickness");
+  EXPECT_DOUBLE_EQ(changes[0].value, 40 * nm);
+  // The other body against a film alone has a quarter of the pair's modulus.
+  EXPECT_NEAR(reduced_modulus(plane, {changes[1].value, changes[2].value}) / (0.25 * modulus()), 1, 1e-9);
+  // No film makes the pair stiffer than the other body is.
+  const double stiffest = film.parameters(e)[0].high;
+  EXPECT_LT(stiffest * modulus(), reduced_modulus(plane, {1e18, 0}));
 }
 
 TEST(SolvedAttraction_analytic, a_contact_without_attraction_gets_none) {

@@ -57,7 +57,7 @@ TEST(AttractionZone_analytic, derived_meshes_have_three_cells_over_it_and_reach_
         by_force ? jkr.radius_at_force(input.experiment.normal_load) : jkr.radius_at_approach(0.8e-9);
     EXPECT_GT(setup.system.mesh.sizes.region_particle, a);
     EXPECT_LT(setup.system.mesh.sizes.region_particle, 1.5 * a);
-    EXPECT_EQ(fem::attraction_text(setup), "");
+    EXPECT_TRUE(fem::resolution_texts(setup).empty());
   }
 }
 
@@ -84,7 +84,7 @@ TEST(AttractionZone_behaviour, that_no_workstation_resolves_is_refused_and_own_m
     EXPECT_NE(text.find("times the length with the same work of adhesion"), std::string::npos) << text;
   }
   input.mesh.interface_spacing = 4e-9;
-  const std::string text = fem::attraction_text(fem::set_up_sizes(input));
+  const std::string text = fem::resolution_texts(fem::set_up_sizes(input)).at(0);
   EXPECT_NE(text.find("0.025 cells over the zone of 98.9 pm"), std::string::npos) << text;
   EXPECT_NE(text.find("pull-off force will be too large"), std::string::npos) << text;
 }

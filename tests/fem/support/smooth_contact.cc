@@ -29,6 +29,7 @@ fem::ContactSystemOptions system_options(const SmoothContactOptions& o) {
   s.region_substrate = s.region_particle + 3 * o.spacing;
   options.mesh.layers = o.layers;
   options.materials = {o.particle, o.substrate};
+  options.films = o.films;
   return options;
 }
 

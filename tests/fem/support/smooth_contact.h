@@ -2,15 +2,17 @@
 // driver of the verification tests. Plain numbers only, so that the tests need not know deal.II.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
-#include "fem/materials/j2_plasticity.h"
+#include "fem/levels/cell_materials.h"
 
 namespace asperity::test {
 
 struct SmoothContactOptions {
   fem::J2Material particle, substrate;
+  std::array<fem::Film, 2> films{};  ///< on them
   double radius = 8.5e-6;
   double block_half_width = 6e-6;
   double spacing = 0;         ///< of the particle's interface nodes [m]

@@ -1,0 +1,34 @@
+// Attraction of a recording as Dugdale's in a case of finite elements: which range a mesh can resolve, and
+// the mesh that resolves it. SI units.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dem_compare/laws/maugis_branch.h"
+#include "diagnosis/forward/forward_model.h"
+#include "diagnosis/recording/experiment.h"
+
+namespace asperity {
+
+/// Maugis' solution of that lambda [-]; the last one asked for in this thread is kept, for a fit changes it
+/// seldom.
+std::shared_ptr<const MaugisBranch> maugis_branch(double lambda);
+
+/// Range h0 of a work of adhesion w [J/m^2] with Maugis' lambda [-] (Maugis 1992): sigma0 = w/h0,
+/// lambda = 2 sigma0 (R/(pi w K^2))^(1/3) [m].
+double range_of_attraction(const Experiment& experiment, double work, double lambda);
+
+/// Largest lambda up to `lambda` whose zone takes no more than thirty cells over the radius of the pressed
+/// contact: from there to the limit of Johnson, Kendall & Roberts the pull-off force changes by a twelfth,
+/// and a recording says little of the range. pull_off: [N].
+double resolvable_lambda(const Experiment& experiment, double pull_off, double lambda);
+
+/// Entry of the case's mesh where attraction asks for one.
+constexpr const char* spacing_entry = "Mesh/Interface spacing";
+
+/// Dugdale's work [J/m^2] and range [m] as entries, and a finer mesh where the case's own does not resolve
+/// the zone.
+std::vector<CaseChange> dugdale_in_case(const Experiment& experiment, double work, double range);
+
+}  // namespace asperity
