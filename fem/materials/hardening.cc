@@ -16,6 +16,16 @@ ParameterEntry yield_stress_parameter() {
           positive_or_infinite};
 }
 
+ParameterEntry hardening_modulus_parameter() {
+  ParameterEntry modulus{"Hardening modulus",
+                         {"H"},
+                         Dimension::pressure,
+                         "H, growth of the yield stress per plastic strain; 0: perfectly plastic.",
+                         "0 Pa"};
+  modulus.optional = true;
+  return modulus;
+}
+
 Plasticity make_plasticity(const BodyInput& body) {
   const LawValues values = with_defaults(parameters_of(material_laws()), body.parameters);
   const bool yields = std::any_of(material_laws().begin(), material_laws().end(),

@@ -72,6 +72,8 @@ const std::vector<MaterialDeclaration>& material_laws();
 
 /// The yield stress, which every law takes: inf, elastic, where it is not given.
 ParameterEntry yield_stress_parameter();
+/// H of linear hardening; 0, none, where it is not given.
+ParameterEntry hardening_modulus_parameter();
 
 /// By the law whose parameters the body gives, all that it needs and none besides; an infinite yield stress
 /// where it gives what none needs. Throws InputError where no law, or more than one, takes just those.

@@ -7,6 +7,7 @@
 
 #include "core/csv.h"
 #include "fem/materials/hardening/linear_and_voce.h"
+#include "fem/materials/hardening/rate_dependent.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/verification.h"
 
@@ -204,6 +205,48 @@ TEST(J2_analytic, a_viscous_yield_stress_follows_the_rate_of_each_step) {
   }
   EXPECT_TRUE(at_a_point("viscous yield stress: stress after steps of 0.1 to 10", "Bingham (1922)")
                   .below(stress, 1e-12, "Y"));
+}
+
+/// Under a held strain d sigma/dt = -3 G d alpha/dt: with s = (sigma/Y - 1)/C, 1 - exp(-s) falls as exp(-k
+/// t), k = 3 G/(Y C t0), and before that with the logarithm of time.
+TEST(J2_analytic, a_yield_stress_that_follows_the_rate_relaxes_with_the_logarithm_of_time) {
+  J2Material m = material();
+  const double sensitivity = 0.05, time = 100;
+  m.hardening = std::make_shared<RateDependent>(0, sensitivity, time);
+  Point p(m);
+  const double elastic = 3 * m.shear_modulus, strain = 1.3 * Y / elastic,
+               k = elastic / (Y * sensitivity * time);
+  p.time = {0, 1e-9};  // at once, nearly
+  p.stretch_to(strain);
+  const double first = (p.uniaxial_stress() / Y - 1) / sensitivity;
+  Largest error;
+  double now = 0;
+  for (double step = 1e-6; now < 30 / k; step *= 1.02) {
+    p.time = {0, step};
+    p.stretch_to(strain);
+    now += step;
+    const double expected = -std::log1p(std::expm1(-first) * std::exp(-k * now));
+    error.count((p.uniaxial_stress() - Y * (1 + sensitivity * expected)) / Y);
+  }
+  EXPECT_GT(first, 3);  // of the logarithm's range
+  EXPECT_TRUE(at_a_point("yield stress that follows the rate: relaxation of a held strain",
+                         "closed form, Johnson & Cook (1983), Camacho & Ortiz (1997)")
+                  .below(error, 1e-3, "Y"));
+}
+
+TEST(J2_analytic, under_a_steady_rate_the_yield_stress_is_that_of_the_rate) {
+  J2Material m = material();
+  m.hardening = std::make_shared<RateDependent>(2e9, 0.03, 10);
+  Point p(m);
+  double strain = 0, before = 0;
+  for (int i = 0; i < 60; ++i) {
+    p.time = {0, 0.5};
+    before = p.alpha();
+    strain += 0.01;
+    p.stretch_to(strain);
+  }
+  const double rate = (p.alpha() - before) / 0.5;
+  EXPECT_NEAR(p.uniaxial_stress() / ((Y + 2e9 * p.alpha()) * (1 + 0.03 * std::log(1 + 10 * rate))), 1, 1e-10);
 }
 
 /// Softens by as much as the elastic stress falls with the strain: beyond yield no stress is on the surface.

@@ -31,11 +31,7 @@ class LinearAndVoce : public Hardening {
   static std::vector<ParameterEntry> parameters() {
     std::vector<ParameterEntry> all{
         yield_stress_parameter(),
-        {"Hardening modulus",
-         {"H"},
-         Dimension::pressure,
-         "H, growth of the yield stress per plastic strain; 0: perfectly plastic.",
-         "0 Pa"},
+        hardening_modulus_parameter(),
         {"Hardening",
          {},
          Dimension::none,
