@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/typeset.h"
 
 namespace asperity {
 
@@ -47,6 +48,6 @@ const std::vector<CaseEntry>& case_entries();
 std::string case_template();
 
 /// The reference manual in Markdown (`asperity case-reference`, docs/case_reference.md).
-std::string case_reference();
+std::string case_reference(Equations equations = Equations::plain);
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/diagnosed_case.h"
+#include "app/equations_option.h"
 #include "app/finite_element_model.h"
 #include "app/solver_commands.h"
 #include "core/atomic_file.h"
@@ -30,7 +31,7 @@ struct DiagnoseArguments {
   std::string recording, output = "diagnosis", case_file, study;
   std::vector<std::string> overrides;
   double minutes = 30;
-  bool json = false, catalogue = false;
+  bool json = false, catalogue = false, is_typeset = false;
 };
 
 std::string summary(const Diagnosis& d, const fs::path& output) {
@@ -87,7 +88,7 @@ CaseOfRecording case_of(const DiagnoseArguments& arguments, const Recording& rec
 
 void run_diagnose(const DiagnoseArguments& arguments) {
   if (arguments.catalogue) {
-    std::cout << effects_manual() << std::flush;
+    std::cout << effects_manual(equations_of(arguments.is_typeset)) << std::flush;
     return;
   }
   if (arguments.recording.empty()) throw InputError("it needs a recording: a folder with recording.json");
@@ -152,6 +153,7 @@ void add_diagnose_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");
+  add_typeset(*command, arguments->is_typeset);
   command->footer(
       "Example: asperity diagnose runs/paper/recordings/sliding_offset_untreated --output output/diagnosis");
   command->callback([arguments] { run_diagnose(*arguments); });

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/equations_option.h"
 #include "core/atomic_file.h"
 #include "core/csv.h"
 #include "core/error.h"
@@ -141,7 +142,9 @@ void write_curve(const CurveArguments& arguments) {
 
 void add_law_commands(CLI::App& app) {
   CLI::App* laws = app.add_subcommand("laws", "Print the manual of the reduced laws");
-  laws->callback([] { std::cout << reduced_laws_manual() << std::flush; });
+  const auto is_typeset = std::make_shared<bool>(false);
+  add_typeset(*laws, *is_typeset);
+  laws->callback([is_typeset] { std::cout << reduced_laws_manual(equations_of(*is_typeset)) << std::flush; });
 
   const auto arguments = std::make_shared<CurveArguments>();
   CLI::App* curve = app.add_subcommand(

@@ -77,7 +77,7 @@ ReducedLaw make_reduced_law(const std::string& name, const LawValues& values) {
   return law.make(values);
 }
 
-std::string reduced_laws_manual() {
+std::string reduced_laws_manual(Equations equations) {
   std::ostringstream page;
   page << "# Reduced laws of one contact\n\n"
           "A law is named with its parameters, as in `--law 'jkr, work_of_adhesion = 50 mJ/m^2'`: `asperity "
@@ -86,7 +86,8 @@ std::string reduced_laws_manual() {
           "be given.\n";
   for (const auto& law : reduced_laws()) {
     page << "\n## " << law.mode << ": `" << law.name << "`\n\n"
-         << law.equation << "\n\nSource: " << law.source << "\n\nValid: " << law.validity << "\n";
+         << displayed(law.equation, equations) << "\n\nSource: " << law.source
+         << "\n\nValid: " << law.validity << "\n";
     if (law.parameters.empty()) continue;
     page << "\n| parameter | unit | meaning | admissible | default |\n| --- | --- | --- | --- | --- |\n";
     for (const auto& p : law.parameters)

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/registry.h"
+#include "core/typeset.h"
 #include "dem_compare/laws/normal_law.h"
 #include "dem_compare/laws/rolling_law.h"
 #include "dem_compare/laws/sliding_law.h"
@@ -70,7 +71,7 @@ ReducedLaw make_reduced_law(const std::string& name, const LawValues& values);
 template <class Mode>
 LawOf<Mode> make_law(const std::string& name, const LawValues& values);
 /// The manual page of all laws in Markdown.
-std::string reduced_laws_manual();
+std::string reduced_laws_manual(Equations equations = Equations::plain);
 
 namespace law_registry_detail {
 /// The value of a parameter of the law among those given.

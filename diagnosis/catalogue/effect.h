@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/typeset.h"
 #include "diagnosis/forward/forward_model.h"
 #include "diagnosis/mechanics/mechanics.h"
 #include "diagnosis/outcome/diagnosis.h"
@@ -147,7 +148,7 @@ const std::vector<std::unique_ptr<Effect>>& effect_catalogue();
 /// Throws InputError with the nearest name.
 const Effect& effect_of(const std::string& id);
 /// The manual page of all effects in Markdown.
-std::string effects_manual();
+std::string effects_manual(Equations equations = Equations::plain);
 
 }  // namespace asperity
 

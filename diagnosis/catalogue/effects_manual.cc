@@ -34,10 +34,11 @@ std::string plain(double value) { return printed("%.3g", value); }
 
 }  // namespace
 
-std::string effects_manual() {
+std::string effects_manual(Equations equations) {
   std::string text =
       "# Effects that a diagnosis can name\n\n"
-      "Written by `asperity diagnose --catalogue` from the effects themselves (`diagnosis/effects/`, one "
+      "Written by `asperity diagnose --catalogue --typeset` from the effects themselves "
+      "(`diagnosis/effects/`, one "
       "file each). An effect\n"
       "changes the mechanics of the simulation; its parameters are shared by all segments and runs and stay "
       "within the bounds.\n"
@@ -48,7 +49,7 @@ std::string effects_manual() {
     for (const Motion mode : d.modes) modes += (modes.empty() ? "" : ", ") + name_of(mode);
     text += "\n## " + d.id + "\n\n" + d.title + " (" +
             (d.kind == EffectKind::contact ? "contact" : "instrument") + "; modes: " + modes + ").\n\n";
-    text += "    " + d.equation + "\n\n" + d.meaning + "\n\nSource: " + d.source + "\n";
+    text += displayed(d.equation, equations) + "\n\n" + d.meaning + "\n\nSource: " + d.source + "\n";
     const NeededValues needed = effect->needs();
     if (needed.count > 0)
       text += "\nNot named from fewer than " + std::to_string(needed.count) + " different values of `" +

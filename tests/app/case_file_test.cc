@@ -166,8 +166,8 @@ TEST(CaseFile_behaviour, the_template_is_a_case_file_and_holds_the_defaults) {
 }
 
 TEST(CaseFile_behaviour, the_manual_in_the_repository_is_the_one_the_program_prints) {
-  EXPECT_EQ(read_file(ASPERITY_SOURCE_DIR "/docs/case_reference.md"), case_reference())
-      << "run: asperity case-reference > docs/case_reference.md";
+  EXPECT_EQ(read_file(ASPERITY_SOURCE_DIR "/docs/case_reference.md"), case_reference(Equations::typeset))
+      << "run: asperity case-reference --typeset > docs/case_reference.md";
 }
 
 TEST(NearestName_behaviour, counts_a_swap_of_neighbours_as_one_edit) {

@@ -102,7 +102,8 @@ TEST(Catalogue_behaviour, manual_page_is_current) {
   std::ifstream file(std::string(ASPERITY_SOURCE_DIR) + "/docs/effects.md");
   std::ostringstream text;
   text << file.rdbuf();
-  EXPECT_EQ(text.str(), effects_manual()) << "write it anew: asperity diagnose --catalogue > docs/effects.md";
+  EXPECT_EQ(text.str(), effects_manual(Equations::typeset))
+      << "write it anew: asperity diagnose --catalogue --typeset > docs/effects.md";
 }
 
 }  // namespace
