@@ -108,8 +108,12 @@ TEST(Capillary_analytic, pulls_from_touch_to_rupture_and_forms_only_on_touch) {
 TEST(Electrostatic_analytic, is_pi_eps_U_squared_R_over_z_near_the_plane) {
   const Mechanics m = with_effect("electrostatic", {5, 2 * nm});
   const double R = m.geometry.radius, near = M_PI * 8.8541878128e-12 * 25 * R;
-  EXPECT_NEAR(m.normal.contact->force(-8 * nm) / (-near / (10 * nm)), 1, 0.01);
-  EXPECT_NEAR(m.normal.contact->force(0) / (-near / (2 * nm)), 1, 0.01);
+  ASSERT_EQ(m.normal.beside.size(), 1u);
+  const auto& attraction = m.normal.beside.front();
+  EXPECT_NEAR(attraction(-8 * nm) / (-near / (10 * nm)), 1, 0.01);
+  EXPECT_NEAR(attraction(0) / (-near / (2 * nm)), 1, 0.01);
+  EXPECT_EQ(attraction(5 * nm), attraction(0));
+  EXPECT_DOUBLE_EQ(m.normal.contact->force(20 * nm), m.geometry.force(20 * nm));
 }
 
 /// A step of depth relaxes from E* to (1 - g) E* with tau.

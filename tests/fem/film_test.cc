@@ -29,7 +29,7 @@ using test::SmoothContactOptions;
 using test::Verified;
 
 constexpr double film_test_radius = 8.5e-6, film_test_force = 100e-6;
-const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
+const ElasticBody sphere_body{71e9, 0.17}, plane_body{179e9, 0.25};
 
 J2Material elastic_material(const ElasticBody& body) {
   return J2Material::elastic(body.youngs_modulus, body.poisson_ratio);
@@ -49,8 +49,8 @@ HalfSpaceContact by_half_spaces(const half_space::FilmOnBody& film) {
       const double r2 = grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j), R = film_test_radius;
       gap[static_cast<std::size_t>(j) * n + i] = r2 / (R + std::sqrt(R * R - r2));
     }
-  const half_space::NormalContact contact(grid, half_space::Boundary::free, reduced_modulus(glass, silicon),
-                                          gap, {film});
+  const half_space::NormalContact contact(grid, half_space::Boundary::free,
+                                          reduced_modulus(sphere_body, plane_body), gap, {film});
   const auto solution = contact.at_force(film_test_force);
   const auto shape =
       half_space::contact_shape(grid, solution.pressure, std::numeric_limits<double>::infinity());
@@ -61,8 +61,8 @@ HalfSpaceContact by_half_spaces(const half_space::FilmOnBody& film) {
 SmoothContactOptions filmed(const ElasticBody& film, int on, double thickness, double radius,
                             double spacing) {
   SmoothContactOptions o;
-  o.particle = elastic_material(glass);
-  o.substrate = elastic_material(silicon);
+  o.particle = elastic_material(sphere_body);
+  o.substrate = elastic_material(plane_body);
   o.films[on] = Film{elastic_material(film), thickness};
   o.largest_radius = radius;
   o.spacing = spacing;
@@ -81,7 +81,8 @@ TEST(Film_other_code, of_another_stiffness_is_that_of_layered_half_spaces) {
                                       {"3 GPa, 0.45, 20 nm on the substrate", {3e9, 0.45}, 1, 20e-9},
                                       {"400 GPa, 50 nm on the particle", {400e9, 0.2}, 0, 50e-9}};
   for (const FilmedCase& c : cases) {
-    const HalfSpaceContact exact = by_half_spaces({c.film, c.on == 0 ? glass : silicon, c.thickness});
+    const HalfSpaceContact exact =
+        by_half_spaces({c.film, c.on == 0 ? sphere_body : plane_body, c.thickness});
     const double spacing = std::min(exact.radius / 14, c.thickness / 4);
     SmoothContact contact(filmed(c.film, c.on, c.thickness, exact.radius, spacing));
     const ContactStep step = contact.load(film_test_force);
@@ -104,7 +105,7 @@ TEST(Film_other_code, of_another_stiffness_is_that_of_layered_half_spaces) {
 TEST(Film_other_code, thinner_than_a_cell_gives_way_as_much_as_it_does) {
   const ElasticBody polymer{5e9, 0.3};
   constexpr double thickness = 8e-9;
-  const HalfSpaceContact exact = by_half_spaces({polymer, silicon, thickness});
+  const HalfSpaceContact exact = by_half_spaces({polymer, plane_body, thickness});
   SmoothContact contact(filmed(polymer, 1, thickness, exact.radius, exact.radius / 14));
   SmoothContact bare([&] {
     auto o = filmed(polymer, 1, thickness, exact.radius, exact.radius / 14);
@@ -120,8 +121,8 @@ TEST(Film_other_code, thinner_than_a_cell_gives_way_as_much_as_it_does) {
 }
 
 TEST(Film_analytic, of_the_body_s_own_material_changes_nothing) {
-  SmoothContact with(filmed(silicon, 1, 60e-9, 230e-9, 20e-9));
-  auto o = filmed(silicon, 1, 60e-9, 230e-9, 20e-9);
+  SmoothContact with(filmed(plane_body, 1, 60e-9, 230e-9, 20e-9));
+  auto o = filmed(plane_body, 1, 60e-9, 230e-9, 20e-9);
   o.films = {};
   SmoothContact without(o);
   const ContactStep one = with.load(film_test_force), other = without.load(film_test_force);
@@ -160,7 +161,7 @@ TEST(Film_analytic, cells_lie_in_it_with_their_share_of_its_depth) {
 }
 
 TEST(Film_analytic, a_cell_of_both_is_a_laminate) {
-  const J2Material body = elastic_material(silicon);
+  const J2Material body = elastic_material(plane_body);
   Film film{elastic_material({10e9, 0.3}), 50e-9};
   film.material.yield_stress = 1e9;
   const CellMaterials materials({body, body}, {Film{}, film});
