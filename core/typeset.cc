@@ -187,16 +187,52 @@ class Typesetter {
   bool is_prose_ = false;  ///< what was written last
 };
 
+/// Parts between commas and semicolons that no brackets hold, put together into lines of at most so many
+/// characters where they can be.
+std::vector<std::string> in_lines(const std::string& equation, std::size_t longest) {
+  std::vector<std::string> lines{""};
+  std::string part;
+  int depth = 0;
+  const auto add = [&] {
+    if (!lines.back().empty() && lines.back().size() + part.size() > longest) lines.emplace_back();
+    if (lines.back().empty()) part.erase(0, part.find_first_not_of(' '));
+    lines.back() += part;
+    part.clear();
+  };
+  for (const char c : equation) {
+    part += c;
+    if (c == '(' || c == '[') ++depth;
+    if (c == ')' || c == ']') --depth;
+    if (depth == 0 && (c == ',' || c == ';')) add();
+  }
+  add();
+  return lines;
+}
+
 }  // namespace
 
 std::string typeset(const std::string& equation) { return Typesetter(equation).tex(); }
 
 std::string displayed(const std::string& equation, Equations how) {
-  return how == Equations::plain ? "    " + equation : "$$ " + typeset(equation) + " $$";
+  if (how == Equations::plain) return "    " + equation;
+  constexpr std::size_t longest = 70;  // of a page's width, in plain characters
+  const std::vector<std::string> lines = in_lines(equation, longest);
+  if (lines.size() == 1) return "$$ " + typeset(equation) + " $$";
+  std::string rows;
+  for (const std::string& line : lines) rows += (rows.empty() ? "" : " \\\\\n") + typeset(line);
+  return "$$\n\\begin{gathered}\n" + rows + "\n\\end{gathered}\n$$";
 }
 
 std::string in_line(const std::string& equation, Equations how) {
-  return how == Equations::plain ? "`" + equation + "`" : "$" + typeset(equation) + "$";
+  if (how == Equations::plain) return "`" + equation + "`";
+  std::string cell;  // each part of its own, so that a narrow one can break between them
+  for (std::string part : in_lines(equation, 0)) {
+    const std::string end = part.empty() || is_letter(part.back()) ? "" : std::string(1, part.back());
+    const bool is_separated = end == "," || end == ";";
+    if (is_separated) part.pop_back();
+    cell += (cell.empty() ? "$" : " $") + typeset(part) + "$" + (is_separated ? end : "");
+  }
+  return cell;
 }
 
 }  // namespace asperity
