@@ -38,37 +38,52 @@ std::string in_table(const std::string& text) {
   return cell;
 }
 
+/// "`Friction coefficient` mu, `Shear strength` tau".
+template <class Law>
+std::string entries_of(const Law& law) {
+  std::vector<std::string> entries;
+  for (const auto& parameter : law.parameters)
+    entries.push_back("`" + parameter.entry + "`" +
+                      (parameter.symbols.empty() ? "" : " " + alternatives(parameter.symbols)));
+  return alternatives(entries, ", ");
+}
+
 /// What each law is; its entries are in the table of the section before.
 template <class Law>
-std::string table_of_laws(const std::string& heading, const std::vector<Law>& laws, Equations equations) {
+std::string table_of_laws(const std::string& heading, const std::vector<Law>& laws) {
   std::string text =
       "\n" + heading + "\n\n| law | equation | entries | holds | source |\n| --- | --- | --- | --- | --- |\n";
-  for (const auto& law : laws) {
-    std::vector<std::string> entries;
-    for (const auto& parameter : law.parameters)
-      entries.push_back("`" + parameter.entry + "`" +
-                        (parameter.symbols.empty() ? "" : " " + alternatives(parameter.symbols)));
-    text += "| " + law.name + " | " + in_table(in_line(law.equation, equations)) + " | " +
-            alternatives(entries, ", ") + " | " + in_table(law.validity) + " | " + in_table(law.source) +
-            " |\n";
-  }
+  for (const auto& law : laws)
+    text += "| " + law.name + " | `" + in_table(law.equation) + "` | " + entries_of(law) + " | " +
+            in_table(law.validity) + " | " + in_table(law.source) + " |\n";
+  return text;
+}
+
+/// A table has no room for typeset equations.
+template <class Law>
+std::string list_of_laws(const std::string& heading, const std::vector<Law>& laws, Equations equations) {
+  if (equations == Equations::plain) return table_of_laws(heading, laws);
+  std::string text = "\n" + heading + "\n";
+  for (const auto& law : laws)
+    text += "\n**" + law.name + "**: " + entries_of(law) + ". Holds: " + law.validity + ".\n\n" +
+            displayed(law.equation, equations) + "\n\nSource: " + law.source + "\n";
   return text;
 }
 
 std::string laws_of_bodies(Equations equations) {
-  return table_of_laws(
+  return list_of_laws(
       "A law of plasticity is asked for by its entries: what it needs and none of another's; a body without "
       "any stays elastic.",
       fem::material_laws(), equations);
 }
 
 std::string laws_of_interface(Equations equations) {
-  return table_of_laws(
+  return list_of_laws(
              "A law of friction is asked for by its entries: what it needs and none of another's; without "
              "any there is none. t: shear traction, p: contact pressure.",
              fem::friction_laws(), equations) +
-         table_of_laws("Laws of adhesion: stress s at a gap g, w: `Work of adhesion`.", fem::adhesion_laws(),
-                       equations);
+         list_of_laws("Laws of adhesion: stress s at a gap g, w: `Work of adhesion`.", fem::adhesion_laws(),
+                      equations);
 }
 
 /// Empty where there are none.
@@ -78,7 +93,7 @@ std::string further_experiments() {
                           : table_of_laws(
                                 "Experiments that are programs of motions made from entries of "
                                 "their own; the equation is the program.",
-                                declared, Equations::plain);
+                                declared);
 }
 
 }  // namespace

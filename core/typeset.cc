@@ -223,16 +223,4 @@ std::string displayed(const std::string& equation, Equations how) {
   return "$$\n\\begin{gathered}\n" + rows + "\n\\end{gathered}\n$$";
 }
 
-std::string in_line(const std::string& equation, Equations how) {
-  if (how == Equations::plain) return "`" + equation + "`";
-  std::string cell;  // each part of its own, so that a narrow one can break between them
-  for (std::string part : in_lines(equation, 0)) {
-    const std::string end = part.empty() || is_letter(part.back()) ? "" : std::string(1, part.back());
-    const bool is_separated = end == "," || end == ";";
-    if (is_separated) part.pop_back();
-    cell += (cell.empty() ? "$" : " $") + typeset(part) + "$" + (is_separated ? end : "");
-  }
-  return cell;
-}
-
 }  // namespace asperity

@@ -13,7 +13,5 @@ std::string typeset(const std::string& equation);
 enum class Equations { plain, typeset };
 /// On lines of its own, without the last line's end.
 std::string displayed(const std::string& equation, Equations how);
-/// In a line, such as a cell of a table.
-std::string in_line(const std::string& equation, Equations how);
 
 }  // namespace asperity
