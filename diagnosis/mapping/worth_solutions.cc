@@ -56,7 +56,7 @@ std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
       fewer.erase(std::find(fewer.begin(), fewer.end(), left_out));
       const Candidate* candidate = candidate_of(search, fewer);
       if (in_case(fewer, problem.experiment).empty() || wanted.count({fewer.begin(), fewer.end()})) continue;
-      if (!candidate || !is_excluded(*candidate)) want(fewer);
+      if (!candidate || (candidate->fit.is_itself() && !is_excluded(*candidate))) want(fewer);
     }
   }
   // The same beside another value of what the case states: the mesh's error may hide it until both are
@@ -74,11 +74,12 @@ std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
   }
   // The best by reduced laws, even where a member changes little: finite elements may say otherwise.
   if (search.explains()) want(search.candidates.front().fit.explanation->effects());
+  // What stands for a simpler effect is solved in that one's name.
   for (const auto& candidate : search.candidates) {
     const Effects& effects = candidate.fit.explanation->effects();
     const bool helps = effects.size() == 1 && candidate.score > search.alone.score + worth_solving;
     if (helps && !in_case(effects, problem.experiment).empty() && !wanted.count({effects.front()}) &&
-        !is_excluded(candidate))
+        candidate.fit.is_itself() && !is_excluded(candidate))
       want(effects);
   }
   return wanted;
