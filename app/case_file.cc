@@ -124,7 +124,8 @@ class Checker {
   void check_material(const std::string& section, const BodyInput& body) const {
     const fem::MaterialObjection objection = fem::objection_to(body);
     if (!objection.sentence.empty()) refuse(section + "/" + objection.entry, section + objection.sentence);
-    if (const FilmObjection film = objection_to_film(section, body.film, settings_); !film.entry.empty())
+    if (const FilmObjection film = objection_to_film(section, body.film, input_.radius, settings_);
+        !film.entry.empty())
       refuse(section + "/" + film.entry, film.sentence);
   }
 

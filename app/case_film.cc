@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/case_entry_kinds.h"
+#include "core/written_apart.h"
 
 namespace asperity {
 
@@ -28,7 +29,8 @@ void add_film(std::vector<CaseEntry>& entries, const std::string& section, BodyI
   }
 }
 
-FilmObjection objection_to_film(const std::string& section, const FilmInput& film, const Settings& settings) {
+FilmObjection objection_to_film(const std::string& section, const FilmInput& film, double radius,
+                                const Settings& settings) {
   const auto is_given = [&](const std::string& entry) {
     return std::any_of(settings.begin(), settings.end(),
                        [&](const Setting& setting) { return setting.path() == section + "/" + entry; });
@@ -39,6 +41,11 @@ FilmObjection objection_to_film(const std::string& section, const FilmInput& fil
     for (const std::string& entry : {modulus, ratio})
       if (!is_given(entry))
         return {thickness, section + "/" + thickness + " is given and " + entry + " is not; give it"};
+    if (film.thickness > radius / 2) {
+      const auto [found, allowed] = quantities_apart(film.thickness, radius / 2, Dimension::length);
+      return {thickness, section + "/" + thickness + " of " + found + " is more than half the Radius, " +
+                             allowed + "; give the body the film's material instead"};
+    }
     if (!(film.youngs_modulus > 0)) return {modulus, section + "/" + modulus + " must be above 0"};
     return {};
   }

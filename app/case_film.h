@@ -17,6 +17,8 @@ void add_film(std::vector<CaseEntry>& entries, const std::string& section, BodyI
 struct FilmObjection {
   std::string entry, sentence;
 };
-FilmObjection objection_to_film(const std::string& section, const FilmInput& film, const Settings& settings);
+/// radius: of the particle [m].
+FilmObjection objection_to_film(const std::string& section, const FilmInput& film, double radius,
+                                const Settings& settings);
 
 }  // namespace asperity

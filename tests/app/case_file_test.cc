@@ -196,6 +196,8 @@ TEST(CaseFile_behaviour, a_film_is_read_with_all_that_it_needs_and_refused_witho
   EXPECT_CONTAINS(refusal_of_override({film[0], film[2]}),
                   "Substrate/Film thickness is given and Film Young modulus is not; give it");
   EXPECT_CONTAINS(refusal_of_override({film[0], film[1]}), "and Film Poisson ratio is not; give it");
+  EXPECT_CONTAINS(refusal_of_override({"Substrate/Film thickness=5 um", film[1], film[2]}),
+                  "Film thickness of 5 um is more than half the Radius, 4.25 um");
   EXPECT_CONTAINS(refusal_of_override({film[1]}),
                   "Substrate/Film Young modulus is given and Film thickness is not; give it");
   EXPECT_CONTAINS(refusal_of_override({film[0], "Substrate/Film Young modulus=0 Pa", film[2]}), "above 0");
