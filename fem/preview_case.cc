@@ -21,9 +21,12 @@ constexpr double tabor_factor = 3;  // hardness over yield stress (Tabor 1951)
 
 /// The lower yield stress of the bodies; infinite where nothing yields [Pa].
 double lower_yield_stress(const CaseInput& input) {
-  return std::min({fem::make_plasticity(input.particle).yield_stress,
-                   fem::make_plasticity(input.substrate).yield_stress, input.particle.film.yield_stress,
-                   input.substrate.film.yield_stress});
+  return std::min(fem::make_plasticity(input.particle).yield_stress,
+                  fem::make_plasticity(input.substrate).yield_stress);
+}
+
+bool film_yields(const CaseInput& input) {
+  return std::isfinite(std::min(input.particle.film.yield_stress, input.substrate.film.yield_stress));
 }
 
 std::vector<YieldingBody> yielding_bodies(const CaseInput& input) {
@@ -73,6 +76,7 @@ LeftOutOfPreview what_is_left_out(const CaseInput& input) {
   if (input.experiment.type != Motion::normal) left_out.motion = input.experiment.type;
   left_out.finite_bodies = input.experiment.control == ExperimentInput::Control::displacement;
   left_out.shear_of_films = has_films(input);
+  left_out.yielding_films = film_yields(input);
   return left_out;
 }
 
@@ -82,7 +86,8 @@ MeshPreview preview_mesh(const CaseInput& input) {
   check_case(input);
   const CaseInput derived = fem::with_derived_path_length(input);
   const fem::CaseSetup setup = fem::set_up_sizes(derived);
-  const fem::SolveCost cost = fem::estimated_cost(derived, setup, std::isfinite(lower_yield_stress(input)));
+  const fem::SolveCost cost =
+      fem::estimated_cost(derived, setup, std::isfinite(lower_yield_stress(input)) || film_yields(input));
   return {setup.system.mesh.sizes.spacing_particle,
           setup.system.mesh.sizes.region_particle,
           cost.unknowns,

@@ -33,11 +33,15 @@ KernelSpectrum periodic_spectrum(const Grid& grid, double modulus) {
   return {grid.nx, grid.ny, Parity::even, std::move(spectrum)};
 }
 
-/// Of uniform pressures on cells at their centres.
-void add_films(const Grid& grid, const std::vector<FilmOnBody>& films, KernelSpectrum& spectrum) {
+/// At the centres of cells, as the spectrum without films: of uniform pressures on cells on a free grid, of
+/// waves on one that repeats.
+void add_films(const Grid& grid, Boundary boundary, const std::vector<FilmOnBody>& films,
+               KernelSpectrum& spectrum) {
   const int columns = spectrum.mx / 2 + 1, rows = spectrum.my / 2 + 1;
   const double scale = 1 / (static_cast<double>(spectrum.mx) * spectrum.my);
-  const auto mean_over_cell = [](double half) { return half > 0 ? std::sin(half) / half : 1.0; };
+  const auto mean_over_cell = [boundary](double half) {
+    return boundary == Boundary::free && half > 0 ? std::sin(half) / half : 1.0;
+  };
 #pragma omp parallel for schedule(static)
   for (int ix = 0; ix < columns; ++ix)
     for (int iy = 0; iy < rows; ++iy) {
@@ -77,7 +81,7 @@ KernelSpectrum with_films(const Grid& grid, KernelSpectrum spectrum, Boundary bo
                           const std::vector<FilmOnBody>& films) {
   if (boundary == Boundary::free) require_thin_films(grid, films);
   const double of_mean = spectrum.values.front();
-  if (!films.empty()) add_films(grid, films, spectrum);
+  if (!films.empty()) add_films(grid, boundary, films, spectrum);
   if (boundary == Boundary::periodic) spectrum.values.front() = of_mean;
   return spectrum;
 }
@@ -88,7 +92,7 @@ double FilmOnBody::compliance(double q) const {
   const double shear = shear_modulus(film), nu = film.poisson_ratio, ratio = shear / shear_modulus(body);
   const double below = (1 - body.poisson_ratio) / shear_modulus(body);
   // Towards longer waves it no longer changes, and is a small difference of large numbers.
-  constexpr double long_wave = 1e-3;
+  constexpr double long_wave = 1e-5;
   const double qt = std::max(q * thickness, long_wave), e = std::exp(-2 * qt);
   const double lambda = 1 - 4 * (1 - nu) / (1 + ratio * (3 - 4 * body.poisson_ratio)),
                k = (ratio - 1) / (ratio + 3 - 4 * nu);

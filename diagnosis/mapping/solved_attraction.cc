@@ -103,11 +103,10 @@ std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solv
       break;
     }
     last = d;
-    if (i <= solved.peak) law->accept(d);
+    law->accept(std::max(d, law->release()));
     const double beyond = solved.force[i] - law->held_force(d);
     if (i <= solved.peak || !returns_on_another_curve) difference->loading.add(d, beyond);
     if (i >= solved.peak || !returns_on_another_curve) difference->unloading.add(d, beyond);
-    law->accept(std::max(d, law->release()));
   }
   difference->loading.finish();
   difference->unloading.finish();

@@ -144,9 +144,13 @@ double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   const double yield =
       std::min({make_plasticity(input.particle).yield_stress, make_plasticity(input.substrate).yield_stress,
                 input.particle.film.yield_stress, input.substrate.film.yield_stress});
-  // On a film much thinner than the contact is wide it is up to the root of two wider than on a homogeneous
-  // body (Perriot & Barthel 2004).
-  const double filmed = setup.filmed_radius > setup.hertz_radius ? M_SQRT2 * setup.filmed_radius : 0;
+  // On a soft film much thinner than the contact is wide it is up to the root of two wider than on a
+  // homogeneous body (Perriot & Barthel 2004).
+  const auto is_softer = [](const BodyInput& body) {
+    return body.film.is_there() && body.film.youngs_modulus < body.youngs_modulus;
+  };
+  const bool soft = is_softer(input.particle) || is_softer(input.substrate);
+  const double filmed = soft ? M_SQRT2 * setup.filmed_radius : 0;
   double flowing = std::sqrt(setup.largest_contact_force() / (M_PI * mean_pressure * yield));
   if (input.experiment.control == ExperimentInput::Control::displacement)
     flowing = std::min(flowing, piled_up * setup.hertz_radius);

@@ -35,6 +35,7 @@ class CellMaterials {
 
  private:
   static constexpr int steps_of_share = 100;
+  static_assert(1 + 2 * steps_of_share < 256, "a cell keeps the number of its material in a byte");
   std::vector<J2Material> table_;  ///< particle, substrate, then each film by steps of its share
   std::array<double, 2> thickness_{};
 };

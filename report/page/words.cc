@@ -23,6 +23,18 @@ bool is_zero(const std::string& text) {
   return std::strtod(text.c_str(), &end) == 0 && end != text.c_str();
 }
 
+/// "; a film of 5 nm, E = 70 GPa, ν = 0.17, elastic"; empty: there is none.
+std::string film_in_words(const CaseEntries& entries, const std::string& section) {
+  const std::string film = section + "/Film ";
+  const double thickness = entries.quantity(film + "thickness", Dimension::length, 0);
+  if (!(thickness > 0)) return "";
+  const double yield = entries.quantity(film + "yield stress", Dimension::pressure, INFINITY);
+  return "; a film of " + in_units(thickness, Dimension::length) + ", E = " +
+         in_units(entries.quantity(film + "Young modulus", Dimension::pressure), Dimension::pressure) +
+         ", ν = " + escaped(entries.text(film + "Poisson ratio")) +
+         (std::isinf(yield) ? ", elastic" : ", yields at " + in_units(yield, Dimension::pressure));
+}
+
 std::string material_in_words(const SolvedCase& solved, const std::string& section) {
   const CaseEntries& entries = solved.entries;
   std::string words =
@@ -30,7 +42,7 @@ std::string material_in_words(const SolvedCase& solved, const std::string& secti
       in_units(entries.quantity(section + "/Young modulus", Dimension::pressure), Dimension::pressure) +
       ", ν = " + escaped(entries.text(section + "/Poisson ratio"));
   const double yield = entries.quantity(section + "/Yield stress", Dimension::pressure, INFINITY);
-  if (std::isinf(yield)) return words + ", elastic";
+  if (std::isinf(yield)) return words + ", elastic" + film_in_words(entries, section);
   words += ", yields at " + in_units(yield, Dimension::pressure);
   const double hardening = entries.quantity(section + "/Hardening modulus", Dimension::pressure, 0);
   if (hardening > 0)
@@ -40,10 +52,11 @@ std::string material_in_words(const SolvedCase& solved, const std::string& secti
   if (voce > 0) words += ", Voce hardening up to " + in_units(voce, Dimension::pressure) + " more";
   // Entries of laws from files of their own, by their names; 0: not given.
   for (const auto& [path, text] : entries.all()) {
-    if (path.rfind(section + "/", 0) != 0 || is_known_entry(path) || is_zero(text)) continue;
+    const bool is_of_film = path.rfind(section + "/Film ", 0) == 0;
+    if (path.rfind(section + "/", 0) != 0 || is_known_entry(path) || is_of_film || is_zero(text)) continue;
     words += ", " + escaped(path.substr(section.size() + 1)) + " = " + escaped(text);
   }
-  return words;
+  return words + film_in_words(entries, section);
 }
 
 }  // namespace

@@ -147,6 +147,10 @@ std::vector<std::string> left_out_sentences(const LeftOutOfPreview& left_out) {
     sentences.push_back(
         "lateral and torsion stiffness are left out: half-spaces with films are solved under normal load "
         "alone");
+  if (left_out.yielding_films)
+    sentences.push_back(
+        "the film is taken as elastic: how hard it is depends on the body below it, which half-spaces do "
+        "not tell");
   if (left_out.finite_bodies)
     sentences.push_back(
         "the approach is that of half-spaces from first touch: what the finite bodies give way in the case "

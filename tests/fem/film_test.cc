@@ -117,7 +117,7 @@ TEST(Film_other_code, thinner_than_a_cell_gives_way_as_much_as_it_does) {
   const double added = step.approach - without.approach;
   EXPECT_TRUE((Verified{"Films", "what a film of half a cell adds to the approach, 5 GPa, 8 nm",
                         "half-spaces with films (Nogi & Kato 1997)"}
-                   .within(added, exact.approach - without.approach, 0.15)));
+                   .within(added, exact.approach - without.approach, 0.05)));
 }
 
 TEST(Film_analytic, of_the_body_s_own_material_changes_nothing) {

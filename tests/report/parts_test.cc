@@ -109,6 +109,29 @@ TEST(Words_behaviour, a_material_is_told_with_the_entries_of_a_law_from_outside)
   EXPECT_NE(asked.find("elastic; surface"), std::string::npos) << asked;
 }
 
+TEST(Words_behaviour, a_film_is_told_with_its_body) {
+  SolvedCase solved;
+  std::map<std::string, std::string> entries{{"Particle/Radius", "8.5 um"},
+                                             {"Substrate/Film thickness", "5 nm"},
+                                             {"Substrate/Film Young modulus", "70 GPa"},
+                                             {"Substrate/Film Poisson ratio", "0.2"}};
+  for (const char* body : {"Particle/", "Substrate/"}) {
+    entries[body + std::string("Young modulus")] = "71 GPa";
+    entries[body + std::string("Poisson ratio")] = "0.17";
+  }
+  solved.entries = CaseEntries(entries);
+  const std::string elastic = what_was_asked(solved);
+  EXPECT_NE(elastic.find("elastic; a film of 5 nm, E = 70 GPa, ν = 0.2, elastic"), std::string::npos)
+      << elastic;
+  EXPECT_EQ(elastic.find("film"), elastic.rfind("film")) << elastic;
+  entries["Substrate/Yield stress"] = "1 GPa", entries["Substrate/Film yield stress"] = "2 GPa";
+  solved.entries = CaseEntries(entries);
+  const std::string yields = what_was_asked(solved);
+  EXPECT_NE(yields.find("yields at 1 GPa; a film of 5 nm, E = 70 GPa, ν = 0.2, yields at 2 GPa"),
+            std::string::npos)
+      << yields;
+}
+
 TEST(Words_behaviour, a_topography_is_told_by_what_made_it) {
   EXPECT_EQ(topography_in_words("smooth"), "smooth");
   EXPECT_EQ(topography_in_words("/data/scan<1>.gsf"), "measured: scan&lt;1&gt;.gsf");
