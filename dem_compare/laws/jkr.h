@@ -40,21 +40,20 @@ struct Jkr {
   }
   double approach(double force) const { return approach_at_radius(radius_at_force(force)); }
 
-  /// Stable branch under fixed grips; approach >= smallest_approach(). Newton's method from above, where the
-  /// function is convex and increasing: it descends to the root.
+  /// Stable branch under fixed grips; approach >= smallest_approach(): with x = a^(1/2) the largest root of
+  ///   x^4 = q x + r,  q = R (2 pi w/E*)^(1/2),  r = R delta,
+  /// by Ferrari, x = [s + (2 q/s - s^2)^(1/2)]/2,  y = s^2 the root of y^3 + 4 r y = q^2, which hyperbolic
+  /// functions give without cancellation.
   double radius_at_approach(double approach) const {
-    const double c = std::sqrt(2 * pi_w() / reduced_modulus), lowest = smallest_radius();
-    double a = std::sqrt(radius * std::max(0.0, approach)) + std::cbrt(radius * c * radius * c);
-    constexpr int most_iterations = 100;  // near the double root at the limit each one halves the distance
-    for (int i = 0; i < most_iterations; ++i) {
-      const double excess = a * a / radius - c * std::sqrt(a) - approach,
-                   slope = 2 * a / radius - 0.5 * c / std::sqrt(a);
-      if (slope <= 0) return lowest;
-      const double next = std::max(lowest, a - excess / slope);
-      if (next >= a * (1 - 4e-16)) return next;  // no digit is left to gain
-      a = next;
-    }
-    return a;
+    const double q = radius * std::sqrt(2 * pi_w() / reduced_modulus), r = radius * approach;
+    if (q == 0) return std::sqrt(std::max(0.0, r));
+    const double third = std::sqrt(4.0 / 3 * std::abs(r)), ratio = 0.5 * q * q / (third * third * third);
+    constexpr double large = 1e12;  // r is nothing beside q
+    const double y = ratio > large ? std::cbrt(q * q)
+                     : r > 0       ? 2 * third * std::sinh(std::asinh(ratio) / 3)
+                                   : 2 * third * std::cosh(std::acosh(std::max(1.0, ratio)) / 3);
+    const double s = std::sqrt(y), x = 0.5 * (s + std::sqrt(std::max(0.0, 2 * q / s - y)));
+    return r > 0 ? x * x : std::max(smallest_radius(), x * x);
   }
 
   NormalState advance(const NormalState& before, double approach) const {

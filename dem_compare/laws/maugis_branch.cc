@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 
 namespace asperity {
 namespace {
@@ -31,6 +29,21 @@ double disc_at(double lambda, double approach) {
   return edge + std::sqrt(std::max(0.0, square));
 }
 
+/// Part of an interval, 0 to 1, at which the cubic of these values and slopes at its ends has a value between
+/// them; the slopes are those over the whole interval.
+double part_of_cubic(double from, double slope_from, double to, double slope_to, double value) {
+  const double secant = to - from, square = 3 * secant - 2 * slope_from - slope_to,
+               cube = slope_from + slope_to - 2 * secant;
+  double t = (value - from) / secant;
+  constexpr int steps = 3;
+  for (int i = 0; i < steps; ++i) {
+    const double off = from + t * (slope_from + t * (square + t * cube)) - value,
+                 slope = slope_from + t * (2 * square + t * 3 * cube);
+    if (slope * secant > 0) t = std::clamp(t - off / slope, 0.0, 1.0);
+  }
+  return t;
+}
+
 }  // namespace
 
 MaugisBranch::State MaugisBranch::at(double place) const {
@@ -41,7 +54,9 @@ MaugisBranch::State MaugisBranch::at(double place) const {
   const double by_place = u / m2;
   const double q_slope = l * (u * u + m2 * u * t), line_slope = 4.0 / 3 * l * l * (m2 * t + u - m * u);
   const double a_slope = -(a * a * q_slope + a * line_slope) / (2 * a * q + line);
-  return {place, a * a * a - l * a * a * (u + m2 * t), a * a - 4.0 / 3 * l * a * u,
+  const double tension = u + m2 * t, tension_slope = 2 * m2 * (1 + u * t);
+  return {place, a * a * a - l * a * a * tension, a * a - 4.0 / 3 * l * a * u,
+          by_place * a * (3 * a * a_slope - l * (2 * a_slope * tension + a * tension_slope)),
           by_place * (2 * a * a_slope - 4.0 / 3 * l * (a_slope * u + a * m2))};
 }
 
@@ -82,27 +97,39 @@ MaugisBranch::MaugisBranch(double lambda) : lambda_(lambda) {
   pull_off_ = -states_[tensest_].force;
 }
 
-template <class Value>
-double MaugisBranch::place_of(double target, std::size_t last, const Value& value) const {
+MaugisBranch::State MaugisBranch::where(double State::*value, double State::*slope, double target,
+                                        std::size_t last) const {
   const auto end = states_.begin() + static_cast<long>(last) + 1;
   const auto below =
-      std::partition_point(states_.begin(), end, [&](const State& s) { return value(s) > target; });
-  if (below == end) return states_[last].place;
-  if (below == states_.begin()) return states_.front().place;
-  const State &high = *(below - 1), &low = *below;
-  if (value(low) == target) return low.place;
-  constexpr int bits = 45;
-  std::uintmax_t iterations = 60;
-  const auto bracket = boost::math::tools::toms748_solve(
-      [&](double place) { return value(at(place)) - target; }, high.place, low.place, value(high) - target,
-      value(low) - target, boost::math::tools::eps_tolerance<double>(bits), iterations);
-  return 0.5 * (bracket.first + bracket.second);
+      std::partition_point(states_.begin(), end, [&](const State& s) { return s.*value > target; });
+  if (below == end) return states_[last];
+  const State& low = *below;
+  if (below == states_.begin() || low.*value == target) return low;
+  const State& high = *(below - 1);
+  double left = high.place, right = low.place;
+  const double width = right - left;
+  double place =
+      left + width * part_of_cubic(high.*value, width * high.*slope, low.*value, width * low.*slope, target);
+  // The cubic is within some 1e-7 of the state but where the contact breaks: there Newton's method goes on.
+  constexpr double near = 1e-7;
+  constexpr int most_iterations = 60;
+  for (int i = 0;; ++i) {
+    State s = at(place);
+    (s.*value > target ? left : right) = place;
+    double move = (target - s.*value) / s.*slope;
+    if (std::abs(move) <= near || i == most_iterations) {
+      s.place += move, s.force += move * s.force_slope, s.approach += move * s.approach_slope;
+      return s;
+    }
+    if (!(place + move > left && place + move < right)) move = 0.5 * (left + right) - place;
+    place += move;
+  }
 }
 
 double MaugisBranch::force(double approach) const {
   if (states_.empty()) return approach * std::sqrt(approach) - of_dmt;
   if (approach > states_.front().approach) return approach * std::sqrt(approach);
-  return at(place_of(approach, states_.size() - 1, [](const State& s) { return s.approach; })).force;
+  return where(&State::approach, &State::approach_slope, approach, states_.size() - 1).force;
 }
 
 double MaugisBranch::force_apart(double approach) const {
@@ -114,7 +141,7 @@ double MaugisBranch::force_apart(double approach) const {
 double MaugisBranch::approach(double force) const {
   if (states_.empty()) return std::cbrt(std::pow(force + of_dmt, 2));
   if (force > states_.front().force) return std::cbrt(force * force);
-  return at(place_of(force, tensest_, [](const State& s) { return s.force; })).approach;
+  return where(&State::force, &State::force_slope, force, tensest_).approach;
 }
 
 }  // namespace asperity

@@ -36,14 +36,13 @@ class MaugisBranch {
   double approach(double force) const;
 
  private:
-  /// A state at ln u, and how the approach changes with it.
+  /// A state at ln u, and how it changes with that.
   struct State {
-    double place, force, approach, approach_slope;
+    double place, force, approach, force_slope, approach_slope;
   };
   State at(double place) const;
-  /// Place at which a value falls to its target, up to a state of the table.
-  template <class Value>
-  double place_of(double target, std::size_t last, const Value& value) const;
+  /// State in which a value, whose slope is told beside it, falls to its target, up to a state of the table.
+  State where(double State::*value, double State::*slope, double target, std::size_t last) const;
 
   double lambda_, pull_off_ = 0, release_ = 0, parting_ = 0;
   std::vector<State> states_;  ///< from the largest loads on, as the approach falls

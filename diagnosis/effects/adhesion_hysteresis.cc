@@ -4,6 +4,7 @@
 // to [a_JKR(d; w_c), a_JKR(d; w_o)].
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dem_compare/laws/jkr.h"
 #include "diagnosis/catalogue/effect.h"
@@ -16,23 +17,33 @@ class PinnedContact : public NormalContact {
  public:
   PinnedContact(const Hertz& law, double closing, double opening)
       : closing_{law.reduced_modulus, law.radius, closing},
-        opening_{law.reduced_modulus, law.radius, opening} {}
+        opening_{law.reduced_modulus, law.radius, opening},
+        closes_from_(closing_.smallest_approach()),
+        opens_at_(opening_.smallest_approach()) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<PinnedContact>(*this); }
-  double release() const override { return opening_.smallest_approach(); }
+  double release() const override { return opens_at_; }
   double force(double d) const override {
     const double a = radius_at(d);
     return a > 0 ? 2 * opening_.reduced_modulus * (a * d - a * a * a / (3 * opening_.radius)) : 0;
+  }
+  double displacement(double force) const override {
+    if (force <= (radius_ > 0 ? -opening_.pull_off_force() : 0.0))
+      return std::numeric_limits<double>::quiet_NaN();
+    const double least = force > -closing_.pull_off_force() ? closing_.radius_at_force(force) : 0,
+                 a = radius_ <= least ? least : std::min(radius_, opening_.radius_at_force(force));
+    return force / (2 * opening_.reduced_modulus * a) + a * a / (3 * opening_.radius);
   }
   void accept(double d) override { radius_ = radius_at(d); }
 
  private:
   double radius_at(double d) const {
-    if (d < (radius_ > 0 ? opening_.smallest_approach() : 0)) return 0;
-    const double least = d >= closing_.smallest_approach() ? closing_.radius_at_approach(d) : 0;
+    if (d < (radius_ > 0 ? opens_at_ : 0)) return 0;
+    const double least = d >= closes_from_ ? closing_.radius_at_approach(d) : 0;
     if (radius_ <= least) return least;
     return std::min(radius_, opening_.radius_at_approach(d));
   }
   Jkr closing_, opening_;
+  double closes_from_, opens_at_;  ///< displacements that no contact of either work is below [m]
   double radius_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "diagnosis/mechanics/attraction_in_case.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/attraction_zone.h"
@@ -20,9 +21,14 @@ double resolving_spacing(const Experiment& e, double work, double range) {
 }  // namespace
 
 std::shared_ptr<const MaugisBranch> maugis_branch(double lambda) {
-  thread_local std::shared_ptr<const MaugisBranch> last;
-  if (!last || last->lambda() != lambda) last = std::make_shared<const MaugisBranch>(lambda);
-  return last;
+  constexpr std::size_t most = 4;
+  thread_local std::array<std::shared_ptr<const MaugisBranch>, most> kept;
+  thread_local std::size_t oldest = 0;
+  for (const auto& branch : kept)
+    if (branch && branch->lambda() == lambda) return branch;
+  std::shared_ptr<const MaugisBranch>& place = kept[oldest];
+  oldest = (oldest + 1) % most;
+  return place = std::make_shared<const MaugisBranch>(lambda);
 }
 
 double range_of_attraction(const Experiment& e, double work, double lambda) {

@@ -11,8 +11,8 @@
 
 namespace asperity {
 
-/// Maugis' solution of that lambda [-]; the last one asked for in this thread is kept, for a fit changes it
-/// seldom.
+/// Maugis' solution of that lambda [-]; the last few asked for in this thread are kept, for a fit changes it
+/// seldom, and to see what a small change makes.
 std::shared_ptr<const MaugisBranch> maugis_branch(double lambda);
 
 /// Range h0 of a work of adhesion w [J/m^2] with Maugis' lambda [-] (Maugis 1992): sigma0 = w/h0,
