@@ -66,6 +66,7 @@ enum class EntersBy {
   in_series,        ///< by its own reduced law, as a displacement beside that of the solved contact
   beside,           ///< by its own reduced law, as a force beside that of the solved contact
   on_friction,      ///< by its own reduced law, as a change of the friction that was solved
+  on_force,         ///< by its own reduced law, as a change in time of the normal force that was solved
   finite_elements,  ///< entries of the case
   reduced_law_only  ///< it has no form there yet
 };

@@ -71,6 +71,9 @@ class IndentationSize : public Effect {
              {0.05 * onset, 0.2 * onset}},
             {"length", "m", "h*", least * range, 100 * range, true, {0.5 * range, 2 * range}}};
   }
+  std::string why_not_by_finite_elements(const Experiment&) const override {
+    return "a yield stress that follows the depth of the indentation is no law of a material point";
+  }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.contact = std::make_shared<SizeDependentContact>(m.geometry, p[0], p[1],
                                                               softer_body(m.experiment).poisson_ratio);

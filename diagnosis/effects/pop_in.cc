@@ -16,6 +16,10 @@ class ContactWithBurst : public ContactOnLaw {
   ContactWithBurst(const NormalContact& law, double jump, double threshold)
       : ContactOnLaw(law), jump_(jump), threshold_(threshold) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<ContactWithBurst>(*this); }
+  std::shared_ptr<const NormalContact> solved_by(const SolutionOfLaw& solution) const override {
+    const auto solved = law().solved_by(solution);
+    return solved ? std::make_shared<ContactWithBurst>(*solved, jump_, threshold_) : nullptr;
+  }
   double release() const override { return law().release() + (has_burst_ ? jump_ : 0); }
   double force(double d) const override { return law().force(d - (bursts_at(d) ? jump_ : 0)); }
   double displacement(double force) const override {
@@ -94,6 +98,9 @@ class PopIn : public Effect {
     }
     return list;
   }
+  /// What breaks or glides is no part of the case; the contact beside it is the solved one.
+  EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
+  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.contact = std::make_shared<ContactWithBurst>(*m.normal.contact, p[0], p[1]);
   }

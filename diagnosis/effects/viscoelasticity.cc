@@ -1,10 +1,14 @@
 // A body that relaxes: the modulus falls from E* to (1 - g) E* with the time constant tau (standard linear
-// solid). While the contact grows (Lee & Radok 1960)
-//   f = 4/3 R^(1/2) int E(t - s) d[d(s)^(3/2)],  E(t) = E* [1 - g + g exp(-t/tau)],
-// and on the way back the same until the force is zero, where the contact opens (of Ting's 1966 solution this
-// leaves out that the part still in contact remembers its own time).
+// solid), E(t) = E* psi(t), psi(t) = 1 - g + g exp(-t/tau). While the contact grows (Lee & Radok 1960)
+//   f = int_0^t psi(t - s) dF(d(s)),  F: force of the elastic body, by Hertz 4/3 E* R^(1/2) d^(3/2),
+// and where it shrinks it is as large as it was at t_1 (Ting 1966),
+//   f = int_0^(t_1) psi(t - s) dF(d(s)),  int_(t_1)^t psi(t - s) dd(s) = 0.
+// Pressed again before it has opened it grows on where it was largest; once d <= 0 the body has recovered.
+// Of a solved case F is the solution's: each displacement has one set of points that touch, whatever the
+// modulus, so that this holds for rough contacts too.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "diagnosis/catalogue/effect.h"
 
@@ -17,30 +21,87 @@ class RelaxingContact : public NormalContact {
       : law_(law), share_(share), time_constant_(time_constant) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<RelaxingContact>(*this); }
   void begin_step(double time_step) override { step_ = time_step / time_constant_; }
+  double solved_force(double d) const override { return elastic(d); }
   double force(double d) const override {
     if (d <= 0) return 0;
-    const double now = elastic(d);
-    return std::max(0.0, (1 - share_) * now + share_ * stretched(now));
+    const Moment largest = moment_as_it_grows(d);
+    if (grows_at(d)) return (1 - share_) * largest.force + share_ * largest.force_left;
+    return shrunk_force(d);
   }
   void accept(double d) override {
-    const double now = elastic(d);
-    stretched_ = stretched(now);
-    last_ = now;
+    if (d <= 0) {
+      growth_.assign(1, {});
+      time_ = shrinking_ = last_depth_ = 0;
+      return;
+    }
+    if (grows_at(d)) {
+      growth_.push_back(moment_as_it_grows(d));
+      shrinking_ = 0;
+    } else {
+      shrinking_ = shrinking_at(d);
+    }
+    time_ += step_;
+    last_depth_ = d;
   }
 
  private:
+  /// While the contact grew, times in units of tau.
+  struct Moment {
+    double time = 0, depth = 0, force = 0;  ///< [-], [m], of the elastic body [N]
+    double depth_left = 0, force_left = 0;  ///< integrals of exp(-(t - s)) over depth and force
+  };
+
   double elastic(double d) const {
     return d > 0 ? 4.0 / 3 * law_.reduced_modulus * std::sqrt(law_.radius * d) * d : 0;
   }
-  /// Force of the part that relaxes, with the elastic force growing evenly over the step.
-  double stretched(double now) const {
-    const double left = std::exp(-step_), mean = step_ > 1e-9 ? (1 - left) / step_ : 1;
-    return stretched_ * left + (now - last_) * mean;
+  /// Mean of the exponential over a time.
+  static double mean_left(double time) { return time > 1e-9 ? -std::expm1(-time) / time : 1; }
+  /// After this step, with depth and elastic force growing evenly over it.
+  Moment moment_as_it_grows(double d) const {
+    const Moment& last = growth_.back();
+    const double now = time_ + step_, left = std::exp(last.time - now), mean = mean_left(step_);
+    return {now, d, elastic(d), last.depth_left * left + (d - last.depth) * mean,
+            last.force_left * left + (elastic(d) - last.force) * mean};
   }
+  /// Integral of exp(-(t - s)) over the depth since the contact was largest [m].
+  double shrinking_at(double d) const {
+    return shrinking_ * std::exp(-step_) + (d - last_depth_) * mean_left(step_);
+  }
+  /// Integral of psi(t - s) over the depth since then [m].
+  double regained_at(double d) const {
+    return (1 - share_) * (d - growth_.back().depth) + share_ * shrinking_at(d);
+  }
+  bool grows_at(double d) const { return regained_at(d) >= 0; }
+  /// Of a contact that is smaller than it was, as at t_1.
+  double shrunk_force(double d) const {
+    const double now = time_ + step_, since_largest = regained_at(d);
+    const Moment& largest = growth_.back();
+    const double largest_left = largest.depth_left * std::exp(largest.time - now);
+    const auto regained_since = [&](const Moment& m) {
+      return since_largest + (1 - share_) * (largest.depth - m.depth) +
+             share_ * (largest_left - m.depth_left * std::exp(m.time - now));
+    };
+    const auto force_of = [&](const Moment& m) {
+      return (1 - share_) * m.force + share_ * m.force_left * std::exp(m.time - now);
+    };
+    const auto after = std::partition_point(growth_.begin(), growth_.end(),
+                                            [&](const Moment& m) { return regained_since(m) >= 0; });
+    if (after == growth_.begin() || after == growth_.end()) return 0;
+    const double before = regained_since(*(after - 1)), part = before / (before - regained_since(*after));
+    return (1 - part) * force_of(*(after - 1)) + part * force_of(*after);
+  }
+
   Hertz law_;
   double share_, time_constant_;
-  double stretched_ = 0, last_ = 0, step_ = 0;  ///< [N], [N], time step over the time constant
+  std::vector<Moment> growth_{1};  ///< from first touch to where it was largest
+  double step_ = 0, time_ = 0;     ///< of this step, and at the last; over tau
+  double last_depth_ = 0, shrinking_ = 0;
 };
+
+bool is_of_elastic_case(const Experiment& e) {
+  return std::isinf(std::min(e.particle_yield, e.substrate_yield)) && e.case_work_of_adhesion == 0 &&
+         e.case_attraction_force == 0;
+}
 
 class Viscoelasticity : public Effect {
  public:
@@ -51,7 +112,8 @@ class Viscoelasticity : public Effect {
         "f = 4/3 R^(1/2) int E(t - s) d[d(s)^(3/2)], E(t) = E* [1 - g + g exp(-t/tau)]",
         "Lee & Radok 1960; Ting 1966; Johnson 1985, sec. 6.5",
         "The body gives way with time: the faster it is pressed the stiffer it is, and unloading lies below "
-        "loading without an imprint that stays.",
+        "loading without an imprint that stays. Where the contact shrinks, the integral ends at the time at "
+        "which it was as large.",
         EffectKind::contact,
         {Motion::normal},
         {},
@@ -73,6 +135,14 @@ class Viscoelasticity : public Effect {
     return {
         {"share", "", "g, part of the modulus that relaxes", 1e-3, 0.999, false, {0.1, 0.5}},
         {"time_constant", "s", "tau", 1e-3 * time, 100 * time, true, {0.05 * time, 0.3 * time, 2 * time}}};
+  }
+  EntersBy enters_by(const Experiment& e) const override {
+    return is_of_elastic_case(e) ? EntersBy::on_force : EntersBy::reduced_law_only;
+  }
+  std::string why_not_by_finite_elements(const Experiment& e) const override {
+    return is_of_elastic_case(e)
+               ? ""
+               : "its law holds for bodies that are elastic and do not attract, and the case's are not";
   }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.contact = std::make_shared<RelaxingContact>(m.geometry, p[0], p[1]);

@@ -35,12 +35,19 @@ std::map<std::string, double> control_ranges(const std::vector<std::string>& cha
   return range;
 }
 
-/// Sample by sample, within the range of each channel.
+double duration_of(const Samples& samples, const SampleRun& run) {
+  return samples.list[run.end - 1].time - samples.list[run.begin].time;
+}
+
+/// Sample by sample, within the range of each channel, and in the same time: what bodies give way with time
+/// is no noise.
 bool are_driven_alike(const Samples& samples, const SampleRun& one, const SampleRun& other,
                       const std::map<std::string, double>& range) {
   constexpr double same = 2e-3;       // of the range
   constexpr double same_speed = 0.1;  // relative
   if (one.end - one.begin != other.end - other.begin) return false;
+  const double duration = duration_of(samples, one);
+  if (std::abs(duration_of(samples, other) - duration) > same_speed * std::abs(duration)) return false;
   for (std::size_t i = 0; i < other.end - other.begin; ++i) {
     const Sample &a = samples.list[other.begin + i], &b = samples.list[one.begin + i];
     for (const auto& [channel, of_channel] : range)

@@ -43,6 +43,8 @@ std::string name_of(EntersBy form) {
       return "reduced law beside the solution";
     case EntersBy::on_friction:
       return "reduced law that changes the friction that was solved";
+    case EntersBy::on_force:
+      return "reduced law that changes the normal force that was solved";
     case EntersBy::finite_elements:
       return "entries of the case";
     case EntersBy::reduced_law_only:

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 
 #include "core/hertz.h"
 
 namespace asperity {
+
+class NormalContact;
+/// A contact as it was solved, in place of its reduced law; null: it stays that law.
+using SolutionOfLaw = std::function<std::shared_ptr<const NormalContact>(const NormalContact& law)>;
 
 class NormalContact {
  public:
@@ -33,6 +38,13 @@ class NormalContact {
   /// Force of a contact that has not parted, at any displacement [N]: down to parting(), and what is there
   /// beyond it.
   virtual double held_force(double displacement) const { return force(std::max(displacement, release())); }
+  /// Force at which a solution of the contact is at this displacement [N]: of a body that relaxes the elastic
+  /// one, for the elastic body is what was solved.
+  virtual double solved_force(double displacement) const { return force(displacement); }
+  /// This contact with what a solution makes of the law in it; null where that changes nothing.
+  virtual std::shared_ptr<const NormalContact> solved_by(const SolutionOfLaw& solution) const {
+    return solution(*this);
+  }
   /// Law without history and adhesion, from which others are made; null if this is another.
   virtual const Hertz* hertz() const { return nullptr; }
 };

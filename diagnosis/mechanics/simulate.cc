@@ -14,7 +14,8 @@ class NormalRun {
  public:
   explicit NormalRun(const NormalMechanics& mechanics) : mechanics_(mechanics) {
     if (mechanics_.correction)
-      if (auto solved = mechanics_.correction->contact_for(*mechanics_.contact))
+      if (auto solved = mechanics_.contact->solved_by(
+              [&](const NormalContact& law) { return mechanics_.correction->contact_for(law); }))
         mechanics_.contact = std::move(solved);
     forget();
   }
@@ -95,7 +96,7 @@ class NormalRun {
     return sum;
   }
   /// Displacement in series with a contact displaced by d.
-  double series(double d) const { return series_under(force(d), contact_->force(d)); }
+  double series(double d) const { return series_under(force(d), contact_->solved_force(d)); }
   /// The same under a force, and under the contact's own part of it, which finite elements solve for.
   double series_under(double force, double of_contact) const {
     double sum = 0;

@@ -69,6 +69,21 @@ TEST(NoiseEstimate_analytic, of_repeats_is_their_scatter_about_their_mean) {
   EXPECT_NE(noise_of(repeated_runs(runs), std::vector<double>(38, 7.0)).from[0], "repeats");
 }
 
+/// Bodies may give way with time: two rates are no repeats.
+TEST(NoiseEstimate_behaviour, runs_of_another_duration_are_no_repeats) {
+  const auto at_rates = [](double slower) {
+    std::vector<std::vector<double>> runs(2);
+    for (std::size_t run = 0; run < 2; ++run)
+      for (int i = 0; i < 20; ++i) runs[run].push_back(10 + i + 0.2 * static_cast<double>(run));
+    Recording recording = repeated_runs(runs);
+    for (std::size_t k = 0; k < 40; ++k)
+      recording.tables[0].columns["time"].push_back(static_cast<double>(k % 20) * (k < 20 ? 1 : slower));
+    return noise_of(recording, std::vector<double>(40, 7.0)).from[0];
+  };
+  EXPECT_EQ(at_rates(1.05), "repeats");
+  EXPECT_NE(at_rates(10), "repeats");
+}
+
 TEST(NoiseEstimate_analytic,
      of_repeats_is_that_of_Gaussian_noise_and_not_moved_by_two_outliers_in_a_hundred) {
   for (const std::size_t repeats : {2, 3, 5}) {

@@ -207,9 +207,9 @@ TEST(SolvedCase_behaviour, yielding_gets_the_yield_stress_of_the_case_and_not_th
   EXPECT_LT(d.improved.held_out_chi2_reduced, 1.5);
   // Every effect that has no form in the case is said not to be tried, and why.
   const auto burst = std::find_if(d.not_tried.begin(), d.not_tried.end(),
-                                  [](const auto& untried) { return untried.effect == "pop_in"; });
+                                  [](const auto& untried) { return untried.effect == "indentation_size"; });
   ASSERT_NE(burst, d.not_tried.end());
-  EXPECT_TRUE(says(d, "pop_in was not tried: " + burst->why));
+  EXPECT_TRUE(says(d, "indentation_size was not tried: " + burst->why));
   const auto json = nlohmann::json::parse(diagnosis_json(d));
   EXPECT_EQ(json["forward_model"]["kind"], "finite_elements");
   EXPECT_EQ(json["forward_model"]["solves"], d.simulation.solves);
