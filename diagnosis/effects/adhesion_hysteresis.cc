@@ -23,7 +23,8 @@ class PinnedContact : public NormalContact {
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<PinnedContact>(*this); }
   double release() const override { return opens_at_; }
   double force(double d) const override {
-    const double a = radius_at(d);
+    const double a = tried_radius_ = radius_at(d);
+    tried_depth_ = d;
     return a > 0 ? 2 * opening_.reduced_modulus * (a * d - a * a * a / (3 * opening_.radius)) : 0;
   }
   double displacement(double force) const override {
@@ -33,7 +34,11 @@ class PinnedContact : public NormalContact {
                  a = radius_ <= least ? least : std::min(radius_, opening_.radius_at_force(force));
     return force / (2 * opening_.reduced_modulus * a) + a * a / (3 * opening_.radius);
   }
-  void accept(double d) override { radius_ = radius_at(d); }
+  void accept(double d) override {
+    if (d != tried_depth_) tried_radius_ = radius_at(d);
+    radius_ = tried_radius_;
+    tried_depth_ = d;  // and the radius stays as it is
+  }
 
  private:
   double radius_at(double d) const {
@@ -45,6 +50,8 @@ class PinnedContact : public NormalContact {
   Jkr closing_, opening_;
   double closes_from_, opens_at_;  ///< displacements that no contact of either work is below [m]
   double radius_ = 0;
+  /// Tried last: what is accepted is mostly that.
+  mutable double tried_depth_ = std::numeric_limits<double>::quiet_NaN(), tried_radius_ = 0;
 };
 
 class AdhesionHysteresis : public Effect {

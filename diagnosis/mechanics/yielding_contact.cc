@@ -44,21 +44,20 @@ void YieldingContact::accept(double d) {
 double YieldingContact::virgin(double d) const {
   const double w = d / critical_depth_, elastic = critical_force_ * w * std::sqrt(w);
   if (w <= 1) return elastic;
-  constexpr double onset = 1.9;  // below, the radius is that of Hertz (Jackson & Green 2005)
-  const double a = std::sqrt(law_.radius * d * std::pow(std::max(1.0, w / onset), exponent_));
+  // Powers as exponentials of logarithms that several share.
+  const double log_w = std::log(w), log_beyond = std::log(w - 1);
+  constexpr double log_onset =
+      0.6418538861723947;  // of 1.9: below, the radius is Hertz' (Jackson & Green 2005)
+  const double a = std::sqrt(law_.radius * d * std::exp(exponent_ * std::max(0.0, log_w - log_onset)));
   const double hardness = hardness_ - 0.92 * (1 - std::cos(pi * std::min(1.0, a / law_.radius)));
-  const double plastic = 0.0514 * std::pow(w - 1, 1.757) / std::pow(1 + (w - 1) / 2.677, 1.037);
-  const double changed =
-      fit_of_jackson_and_green(w, hardness) / fit_of_jackson_and_green(w, without_hardening);
+  const double plastic = 0.0514 * std::exp(1.757 * log_beyond - 1.037 * std::log1p((w - 1) / 2.677));
+  // f/f_c of Jackson & Green (2005, eq. 14), for how the force depends on H/Y: on hardening, and on the size
+  // of the contact, which the finite elements of small contacts do not tell. Its jump at w = 1 is left out.
+  const double by_elastic = std::exp(-std::exp(5.0 / 12 * log_w) / 4) * w * std::sqrt(w),
+               by_hardness = -4 / of_poisson_ * std::expm1(-std::exp(5.0 / 9 * log_w) / 25) * w,
+               changed =
+                   (by_elastic + by_hardness * hardness) / (by_elastic + by_hardness * without_hardening);
   return elastic / std::sqrt(1 + plastic) * (1 + (changed - 1) * (1 - std::exp(1 - w)));
-}
-
-/// f/f_c of Jackson & Green (2005, eq. 14), for how the force depends on H/Y: on hardening, and on the size
-/// of the contact, which the finite elements of small contacts do not tell. Its jump at w = 1 is left out
-/// above.
-double YieldingContact::fit_of_jackson_and_green(double w, double hardness) const {
-  return std::exp(-std::pow(w, 5.0 / 12) / 4) * w * std::sqrt(w) +
-         4 * hardness / of_poisson_ * (1 - std::exp(-std::pow(w, 5.0 / 9) / 25)) * w;
 }
 
 bool particle_is_softer(const Experiment& e) {

@@ -33,7 +33,6 @@ class YieldingContact : public NormalContact {
 
  private:
   double virgin(double d) const;
-  double fit_of_jackson_and_green(double w, double hardness) const;
 
   Hertz law_;
   double hardness_, of_poisson_;  ///< H/Y of a small contact, C(nu) = 1.295 exp(0.736 nu)
