@@ -55,14 +55,16 @@ class Capillary : public Effect {
   bool can_show(const Experiment& e) const override { return e.has_unloading && e.has_off_contact; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double force = e.largest_force, range = e.largest_displacement;
+    constexpr double least = 0.3e-9;  // a molecule of water
     return {{"pull_off_force", "N", "h", 1e-5 * force, 3 * force, true, {0.03 * force, 0.3 * force}},
             {"rupture_distance",
              "m",
              "g_r, separation at which the bridge breaks",
-             1e-3 * range,
-             10 * range,
+             std::max(1e-3 * range, least),
+             std::max(10 * range, 2 * least),
              true,
-             {0.03 * range, 0.1 * range, 0.3 * range}}};
+             {std::max(0.03 * range, least), std::max(0.1 * range, 1.5 * least),
+              std::max(0.3 * range, 2 * least)}}};
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }

@@ -33,20 +33,37 @@ class RoughnessCompliance : public Effect {
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double range = e.largest_displacement;
-    return {{"roughness_length",
-             "m",
-             "l, over which the layer's pressure grows e-fold: some 0.2 to 0.5 of the RMS height",
-             1e-4 * range,
-             range,
-             true,
-             {0.01 * range, 0.1 * range}},
-            {"onset",
-             "",
-             "force of first touch over that at which Hertz' approach is l",
-             1e-3,
-             1e3,
-             true,
-             {0.03, 1}}};
+    std::vector<EffectParameter> list{
+        {"roughness_length",
+         "m",
+         "l, over which the layer's pressure grows e-fold: some 0.2 to 0.5 of the RMS height",
+         1e-4 * range,
+         range,
+         true,
+         {0.01 * range, 0.1 * range}},
+        {"onset",
+         "",
+         "force of first touch over that at which Hertz' approach is l",
+         1e-3,
+         1e3,
+         true,
+         {0.03, 1}}};
+    if (has_own_zero(e)) {
+      // First asperities are no stiffer than the sphere itself at the depth l.
+      list.back().high = 1.5;
+      list.back().logarithmic = false;
+      list.back().bounds_are_meant = true;
+      constexpr double largest = 0.02, usual = 2e-3;
+      list.push_back({"zero_force",
+                      "N",
+                      "force where the displacement was set to zero: an instrument sees no first asperity",
+                      0,
+                      largest * e.largest_force,
+                      false,
+                      {0, usual * e.largest_force},
+                      true});
+    }
+    return list;
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
   /// A layer fixes no topography: its length was 0.2 to 0.5 of the RMS height on rough half-spaces
@@ -68,13 +85,21 @@ class RoughnessCompliance : public Effect {
   void assemble(Mechanics& m, const double* p) const override {
     const double length = p[0], first = p[1] * m.geometry.force(length);
     const Hertz smooth = m.geometry;
-    m.normal.series.push_back([length, first, smooth](double force) {
+    const auto layer = [length, first, smooth](double force) {
       constexpr double concentrated = 0.914;
       return force > 0
                  ? length * std::log1p(force / first / (1 + concentrated * smooth.approach(force) / length))
                  : 0.0;
-    });
+    };
+    m.normal.series.push_back(layer);
+    if (!has_own_zero(m.experiment) || p[2] <= 0) return;
+    const double unseen = smooth.approach(p[2]) + layer(p[2]);
+    m.normal.shifts.push_back([unseen](const Sample&) { return -unseen; });
   }
+
+ private:
+  /// Beside a smooth case; a rough one knows its own.
+  static bool has_own_zero(const Experiment& e) { return e.by_finite_elements && e.case_is_smooth; }
 };
 
 }  // namespace
