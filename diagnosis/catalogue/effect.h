@@ -96,6 +96,9 @@ class Effect {
   /// How many effects its law stands for [-]: of one that holds another's as a limit both, so that in the
   /// evidence what it adds to that counts as an effect of its own.
   virtual int effects_held() const { return 1; }
+  /// Whether its law is one curve whatever came before: what that is off by it is off by up and down and in
+  /// each run.
+  virtual bool is_one_curve(const Experiment&) const { return false; }
   /// How many numbers its law takes from parts of the recording itself beside its parameters [-]; each counts
   /// as a parameter that the samples of its part tell.
   virtual double numbers_read_off(const Experiment&, const double*) const { return 0; }

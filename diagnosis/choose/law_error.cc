@@ -55,6 +55,20 @@ MatrixXd shapes_of_whole(const Samples& samples, const std::vector<std::size_t>&
   return shapes;
 }
 
+/// The same with cosines along the displacement or the force that was given.
+MatrixXd shapes_of_curve(const Samples& samples, const std::vector<std::size_t>& members) {
+  std::vector<bool> is_given_force(samples.list.size());
+  for (const SampleRun& run : samples.runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) is_given_force[i] = run.response_is_displacement;
+  std::vector<double> given;
+  for (const std::size_t i : members)
+    given.push_back(is_given_force[i] ? samples.list[i].normal_force : samples.list[i].normal_displacement);
+  std::vector<std::vector<double>> places;
+  if (!given.empty()) places.push_back(relative(given));
+  if (!places.empty() && places.front().empty()) places.clear();
+  return shapes_along(places, members.size());
+}
+
 /// A column for each error and shape; a row for each sample.
 MatrixXd columns_of(const std::vector<std::size_t>& samples, const MatrixXd& shapes,
                     const std::vector<LawError>& errors) {
@@ -80,6 +94,8 @@ VectorXd part_of(const VectorXd& white, const NoiseFilter& filter, const std::ve
 ModelErrors laws_off_by(double part, ModelErrors errors) {
   for (LawError& of_law : errors.of_laws)
     for (double& off : of_law) off *= part;
+  for (LawError& of_curve : errors.of_curves)
+    for (double& off : of_curve) off *= part;
   return errors;
 }
 
@@ -88,6 +104,7 @@ LawErrors::LawErrors(const Samples& samples) {
     if (samples.list[i].counts) whole_.samples.push_back(i);
   whole_.shapes = shapes_of_whole(samples, whole_.samples);
   once_ = {whole_.samples, whole_.shapes.leftCols(1)};
+  curve_ = {whole_.samples, shapes_of_curve(samples, whole_.samples)};
   std::map<std::pair<std::size_t, int>, std::vector<std::size_t>> members;
   for (std::size_t r = 0; r < samples.runs.size(); ++r)
     for (std::size_t i = samples.runs[r].begin; i < samples.runs[r].end; ++i)
@@ -153,6 +170,7 @@ LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise,
   };
   take_off(whole_, errors.of_mesh, {});
   take_off(once_, {}, errors.of_surfaces);
+  if (!errors.of_curves.empty()) take_off(curve_, errors.of_curves, errors.of_mesh_along);
   for (const Group& group : groups_) take_off(group, errors.of_laws, errors.of_mesh_along);
   for (Eigen::Index i = 0; i < r.size(); ++i) cost.of_misfit += huber_cost(r[i]);
   if (!std::isfinite(cost.sum())) cost.of_misfit = std::numeric_limits<double>::infinity();

@@ -24,6 +24,9 @@ struct ModelErrors {
   std::vector<LawError> of_laws;  ///< each of its own factor in each run and segment
   std::vector<LawError> of_mesh_along = {};  ///< of one solution under normal load, likewise
   std::vector<LawError> of_surfaces = {};    ///< of one surface, each by the same part everywhere
+  /// Of laws that are one curve whatever came before: off by the same at each place of it, up and down and
+  /// in each run.
+  std::vector<LawError> of_curves = {};
 };
 
 /// Whether finite elements are off by one factor at all samples: as friction is that is slid at a few loads,
@@ -88,6 +91,7 @@ class LawErrors {
   std::vector<Group> groups_;
   Group whole_;  ///< all samples, with a constant and a straight line in the load
   Group once_;   ///< all samples, with a constant
+  Group curve_;  ///< all samples, with cosines along what is driven
 };
 
 /// What the least exact law of a set may be off by, relative: a law of the contact by what it states, since

@@ -42,6 +42,7 @@ Misfit misfit_of(const FitProblem& problem, const ModelFit& fit, const ModelFit&
   Misfit misfit = shared_misfit(problem, fit);
   ModelErrors own = law_errors(problem, fit, baseline);
   misfit.errors.of_laws = std::move(own.of_laws);
+  misfit.errors.of_curves = std::move(own.of_curves);
   misfit.errors.of_mesh_along = std::move(own.of_mesh_along);
   return misfit;
 }
@@ -89,7 +90,8 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
     for (std::size_t i = 0; i < error.size(); ++i)
       error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]),
                             std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
-    errors.of_laws.push_back(std::move(error));
+    (left_out->is_one_curve(problem.experiment) ? errors.of_curves : errors.of_laws)
+        .push_back(std::move(error));
   }
   return errors;
 }
@@ -98,7 +100,7 @@ LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFi
   const ModelErrors errors = law_errors(problem, fit, baseline);
   const std::size_t count = problem.samples.list.size();
   return together({together(errors.of_mesh, count), together(errors.of_mesh_along, count),
-                   together(errors.of_laws, count)},
+                   together(errors.of_laws, count), together(errors.of_curves, count)},
                   count);
 }
 

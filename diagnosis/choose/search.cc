@@ -80,7 +80,7 @@ void cost_explanation(Candidate& candidate, const FitProblem& problem, const Law
   candidate.cost = cost.sum();
   candidate.room = cost.log_determinant;
   candidate.costs.clear();
-  if (misfit.errors.of_laws.empty()) return;
+  if (misfit.errors.of_laws.empty() && misfit.errors.of_curves.empty()) return;
   for (const double part : parts_of_bound)
     candidate.costs.push_back(part == 1 ? candidate.cost
                                         : laws.cost(problem.samples, problem.noise, misfit.residual,

@@ -65,6 +65,7 @@ class RoughnessCompliance : public Effect {
     }
     return list;
   }
+  bool is_one_curve(const Experiment& e) const override { return has_own_zero(e); }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
   /// A layer fixes no topography: its length was 0.2 to 0.5 of the RMS height on rough half-spaces
   /// (docs/diagnosis.md). Waves are a sixth to two fifths of Hertz' contact radius, or what the mesh

@@ -346,6 +346,40 @@ TEST(RoughnessCompliance_other_code, is_that_of_a_layer_solved_on_rings) {
   EXPECT_LT(most - least, 0.05);
 }
 
+/// Beside a smooth case the displacement is zero at a force of its own; reduced laws and rough cases begin at
+/// first touch.
+TEST(RoughnessCompliance_analytic, of_a_smooth_case_is_counted_from_where_an_instrument_sees_it) {
+  Experiment e = test::experiment(Motion::normal);
+  const Effect& layer = effect_of("roughness_compliance");
+  EXPECT_EQ(layer.parameters(e).size(), 2u);
+  EXPECT_FALSE(layer.is_one_curve(e));
+  e.by_finite_elements = true;
+  ASSERT_EQ(layer.parameters(e).size(), 3u);
+  EXPECT_TRUE(layer.is_one_curve(e));
+  const double seen = 2e-3 * e.largest_force;
+  const Mechanics m = assembled(e, "roughness_compliance", {2 * nm, 0.5, seen});
+  Sample s;
+  EXPECT_NEAR((e.hertz().approach(seen) + m.normal.series.at(0)(seen) + m.normal.shifts.at(0)(s)) / nm, 0,
+              1e-9);
+  e.case_is_smooth = false;
+  EXPECT_EQ(layer.parameters(e).size(), 2u);
+}
+
+/// No bridge breaks within less than a molecule of water.
+TEST(Capillary_behaviour, ruptures_no_nearer_than_a_molecule) {
+  Experiment e = test::experiment(Motion::normal);
+  for (const double range : {0.1 * nm, 15 * nm}) {
+    e.largest_displacement = range;
+    const EffectParameter distance = effect_of("capillary").parameters(e)[1];
+    EXPECT_GE(distance.low, 0.3 * nm);
+    EXPECT_GT(distance.high, distance.low);
+    for (const double start : distance.starts) {
+      EXPECT_GE(start, distance.low);
+      EXPECT_LE(start, distance.high);
+    }
+  }
+}
+
 TEST(ThermalDrift_analytic, counts_time_from_the_beginning_of_each_run) {
   const Mechanics m = assembled(test::experiment(Motion::normal), "thermal_drift", {2 * nm});
   for (const double begin : {5.0, -3.0}) {

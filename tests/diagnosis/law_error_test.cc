@@ -79,6 +79,28 @@ TEST(LawError_behaviour, of_one_solution_is_shared_by_all_segments) {
   EXPECT_LT(m.cost(opposed, {m.error}), m.cost(m.white, {m.error}) + 100);
 }
 
+/// One curve is off by the same at each place of it, up and down, and its room counts once.
+TEST(LawError_behaviour, of_one_curve_is_shared_by_the_way_there_and_back) {
+  const Made m;
+  auto same = m.white, opposed = m.white;
+  for (std::size_t i = 0; i < 400; ++i) {
+    const double off = 5 * std::cos(2 * M_PI * m.samples.list[i].normal_displacement / 1e-8);
+    same[i] += off, opposed[i] += i < 200 ? off : -off;
+  }
+  const auto as_curve = [&](const std::vector<double>& residual) {
+    ModelErrors errors;
+    errors.of_curves = {m.error};
+    return LawErrors(m.samples).cost(m.samples, m.noise, residual, errors);
+  };
+  const double noise = as_curve(m.white).sum();
+  EXPECT_LT(as_curve(same).sum(), noise + 30);
+  EXPECT_GT(as_curve(opposed).sum(), noise + 1000);
+  const double own_in_each =
+      LawErrors(m.samples).cost(m.samples, m.noise, m.white, {{}, {m.error}}).log_determinant;
+  EXPECT_LT(as_curve(m.white).log_determinant, 0.7 * own_in_each);
+  EXPECT_EQ(laws_off_by(0.5, {{}, {}, {}, {}, {m.error}}).of_curves[0][0], 0.5 * m.error[0]);
+}
+
 /// A sensor that clips would hide what a mesh is off by, and gain evidence by it.
 TEST(LawError_analytic, what_a_mesh_is_off_by_is_not_muted_by_the_sensor) {
   FitProblem problem;
