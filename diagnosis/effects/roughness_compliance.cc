@@ -67,13 +67,13 @@ class RoughnessCompliance : public Effect {
   }
   bool is_one_curve(const Experiment& e) const override { return has_own_zero(e); }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
-  /// A layer fixes no topography: its length was 0.2 to 0.5 of the RMS height on rough half-spaces
-  /// (docs/diagnosis.md). Waves are a sixth to two fifths of Hertz' contact radius, or what the mesh
-  /// resolves.
+  /// A layer fixes no topography: with a zero of its own its length was 0.35 to 0.9 of the RMS height on
+  /// eleven rough half-spaces (docs/diagnosis.md). Waves are a sixth to two fifths of Hertz' contact radius,
+  /// or what the mesh resolves.
   std::vector<CorrectedEntry> corrected_entries(const Experiment& e,
                                                 const std::vector<DiagnosedParameter>& found) const override {
     if (!e.case_is_smooth) return {};
-    constexpr double least_part = 0.2, part = 0.37, largest_part = 0.5;
+    constexpr double least_part = 0.35, part = 0.6, largest_part = 0.9;
     const DiagnosedParameter& length = found.front();
     const double rms = length.value / part, radius = e.hertz().contact_radius(e.largest_force),
                  shortest = std::max(radius / 6, 4 * e.case_spacing),
