@@ -96,7 +96,7 @@ class Effect {
   /// How many effects its law stands for [-]: of one that holds another's as a limit both, so that in the
   /// evidence what it adds to that counts as an effect of its own.
   virtual int effects_held() const { return 1; }
-  /// Whether its law is one curve whatever came before: what that is off by it is off by up and down and in
+  /// Whether its law has no history: its error at a load is then the same on loading, on unloading and in
   /// each run.
   virtual bool is_one_curve(const Experiment&) const { return false; }
   /// How many numbers its law takes from parts of the recording itself beside its parameters [-]; each counts

@@ -24,8 +24,7 @@ struct ModelErrors {
   std::vector<LawError> of_laws;  ///< each of its own factor in each run and segment
   std::vector<LawError> of_mesh_along = {};  ///< of one solution under normal load, likewise
   std::vector<LawError> of_surfaces = {};    ///< of one surface, each by the same part everywhere
-  /// Of laws that are one curve whatever came before: off by the same at each place of it, up and down and
-  /// in each run.
+  /// Of laws without history: at each load the same on loading, on unloading and in each run.
   std::vector<LawError> of_curves = {};
 };
 

@@ -49,19 +49,20 @@ class RoughnessCompliance : public Effect {
          true,
          {0.03, 1}}};
     if (has_own_zero(e)) {
-      // First asperities are no stiffer than the sphere itself at the depth l.
+      // First asperities are no stiffer than the sphere at the depth l: f_0/l <= 2 E* (R l)^(1/2).
       list.back().high = 1.5;
       list.back().logarithmic = false;
       list.back().bounds_are_meant = true;
       constexpr double largest = 0.02, usual = 2e-3;
-      list.push_back({"zero_force",
-                      "N",
-                      "force where the displacement was set to zero: an instrument sees no first asperity",
-                      0,
-                      largest * e.largest_force,
-                      false,
-                      {0, usual * e.largest_force},
-                      true});
+      list.push_back(
+          {"zero_force",
+           "N",
+           "force at which the displacement was set to zero; no instrument resolves the first asperity",
+           0,
+           largest * e.largest_force,
+           false,
+           {0, usual * e.largest_force},
+           true});
     }
     return list;
   }

@@ -3,9 +3,10 @@
 //   f = int_0^t psi(t - s) dF(d(s)),  F: force of the elastic body, by Hertz 4/3 E* R^(1/2) d^(3/2),
 // and where it shrinks it is as large as it was at t_1 (Ting 1966),
 //   f = int_0^(t_1) psi(t - s) dF(d(s)),  int_(t_1)^t psi(t - s) dd(s) = 0.
-// Pressed again before it has opened it grows on where it was largest; once d <= 0 the body has recovered.
-// Of a solved case F is the solution's: each displacement has one set of points that touch, whatever the
-// modulus, so that this holds for rough contacts too.
+// Pressed again, the first integral is over all that was: 1 % of the largest force off boundary elements
+// where it had not opened, 10 % where it had, for the body has not recovered. Of a solved case F is the
+// solution's: each displacement has one set of points that touch, whatever the modulus, so that this holds
+// for rough contacts too.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -24,29 +25,29 @@ class RelaxingContact : public NormalContact {
   double solved_force(double d) const override { return elastic(d); }
   double force(double d) const override {
     if (d <= 0) return 0;
-    const Moment largest = moment_as_it_grows(d);
-    if (grows_at(d)) return (1 - share_) * largest.force + share_ * largest.force_left;
+    const Instant largest = state_as_it_grows(d);
+    if (grows_at(d)) return std::max(0.0, (1 - share_) * largest.force + share_ * largest.force_left);
     return shrunk_force(d);
   }
   void accept(double d) override {
-    if (d <= 0) {
-      growth_.assign(1, {});
-      time_ = shrinking_ = last_depth_ = 0;
-      return;
-    }
-    if (grows_at(d)) {
-      growth_.push_back(moment_as_it_grows(d));
+    d = std::max(0.0, d);
+    const Instant now = state_as_it_grows(d);
+    if (d == 0) {
+      growth_.assign(1, now);
+      shrinking_ = 0;
+    } else if (grows_at(d)) {
+      growth_.push_back(now);
       shrinking_ = 0;
     } else {
       shrinking_ = shrinking_at(d);
     }
     time_ += step_;
-    last_depth_ = d;
+    last_ = now;
   }
 
  private:
   /// While the contact grew, times in units of tau.
-  struct Moment {
+  struct Instant {
     double time = 0, depth = 0, force = 0;  ///< [-], [m], of the elastic body [N]
     double depth_left = 0, force_left = 0;  ///< integrals of exp(-(t - s)) over depth and force
   };
@@ -57,15 +58,14 @@ class RelaxingContact : public NormalContact {
   /// Mean of the exponential over a time.
   static double mean_left(double time) { return time > 1e-9 ? -std::expm1(-time) / time : 1; }
   /// After this step, with depth and elastic force growing evenly over it.
-  Moment moment_as_it_grows(double d) const {
-    const Moment& last = growth_.back();
-    const double now = time_ + step_, left = std::exp(last.time - now), mean = mean_left(step_);
-    return {now, d, elastic(d), last.depth_left * left + (d - last.depth) * mean,
-            last.force_left * left + (elastic(d) - last.force) * mean};
+  Instant state_as_it_grows(double d) const {
+    const double left = std::exp(-step_), mean = mean_left(step_), force = elastic(d);
+    return {time_ + step_, d, force, last_.depth_left * left + (d - last_.depth) * mean,
+            last_.force_left * left + (force - last_.force) * mean};
   }
   /// Integral of exp(-(t - s)) over the depth since the contact was largest [m].
   double shrinking_at(double d) const {
-    return shrinking_ * std::exp(-step_) + (d - last_depth_) * mean_left(step_);
+    return shrinking_ * std::exp(-step_) + (d - last_.depth) * mean_left(step_);
   }
   /// Integral of psi(t - s) over the depth since then [m].
   double regained_at(double d) const {
@@ -75,17 +75,17 @@ class RelaxingContact : public NormalContact {
   /// Of a contact that is smaller than it was, as at t_1.
   double shrunk_force(double d) const {
     const double now = time_ + step_, since_largest = regained_at(d);
-    const Moment& largest = growth_.back();
+    const Instant& largest = growth_.back();
     const double largest_left = largest.depth_left * std::exp(largest.time - now);
-    const auto regained_since = [&](const Moment& m) {
+    const auto regained_since = [&](const Instant& m) {
       return since_largest + (1 - share_) * (largest.depth - m.depth) +
              share_ * (largest_left - m.depth_left * std::exp(m.time - now));
     };
-    const auto force_of = [&](const Moment& m) {
+    const auto force_of = [&](const Instant& m) {
       return (1 - share_) * m.force + share_ * m.force_left * std::exp(m.time - now);
     };
     const auto after = std::partition_point(growth_.begin(), growth_.end(),
-                                            [&](const Moment& m) { return regained_since(m) >= 0; });
+                                            [&](const Instant& m) { return regained_since(m) >= 0; });
     if (after == growth_.begin() || after == growth_.end()) return 0;
     const double before = regained_since(*(after - 1)), part = before / (before - regained_since(*after));
     return (1 - part) * force_of(*(after - 1)) + part * force_of(*after);
@@ -93,9 +93,10 @@ class RelaxingContact : public NormalContact {
 
   Hertz law_;
   double share_, time_constant_;
-  std::vector<Moment> growth_{1};  ///< from first touch to where it was largest
-  double step_ = 0, time_ = 0;     ///< of this step, and at the last; over tau
-  double last_depth_ = 0, shrinking_ = 0;
+  std::vector<Instant> growth_{1};  ///< from first touch to where it was largest
+  double step_ = 0, time_ = 0;      ///< of this step, and at the last; over tau
+  double shrinking_ = 0;            ///< integral of exp(-(t - s)) over the depth since then [m]
+  Instant last_;                    ///< of all of the history
 };
 
 bool is_of_elastic_case(const Experiment& e) {
@@ -142,7 +143,7 @@ class Viscoelasticity : public Effect {
   std::string why_not_by_finite_elements(const Experiment& e) const override {
     return is_of_elastic_case(e)
                ? ""
-               : "its law holds for bodies that are elastic and do not attract, and the case's are not";
+               : "its law holds for elastic bodies without adhesion, and the case yields or attracts";
   }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.contact = std::make_shared<RelaxingContact>(m.geometry, p[0], p[1]);

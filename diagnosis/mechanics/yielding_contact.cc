@@ -46,8 +46,7 @@ double YieldingContact::virgin(double d) const {
   if (w <= 1) return elastic;
   // Powers as exponentials of logarithms that several share.
   const double log_w = std::log(w), log_beyond = std::log(w - 1);
-  constexpr double log_onset =
-      0.6418538861723947;  // of 1.9: below, the radius is Hertz' (Jackson & Green 2005)
+  static const double log_onset = std::log(1.9);  // below, the radius is Hertz' (Jackson & Green 2005)
   const double a = std::sqrt(law_.radius * d * std::exp(exponent_ * std::max(0.0, log_w - log_onset)));
   const double hardness = hardness_ - 0.92 * (1 - std::cos(pi * std::min(1.0, a / law_.radius)));
   const double plastic = 0.0514 * std::exp(1.757 * log_beyond - 1.037 * std::log1p((w - 1) / 2.677));

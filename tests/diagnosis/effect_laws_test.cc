@@ -188,6 +188,20 @@ TEST(AdhesionHysteresis_analytic, keeps_its_radius_between_both_works) {
   EXPECT_LT(contact->release(), 0);
 }
 
+/// Given a force, the contact lies where its law has that force: growing, pinned, and on its way to part.
+TEST(AdhesionHysteresis_analytic, lies_under_a_force_where_its_law_has_that_force) {
+  const Experiment e = test::experiment(Motion::normal);
+  const auto contact = assembled(e, "adhesion_hysteresis", {0.5, 5.0}).normal.contact->clone();
+  const double opening = 1.5 * M_PI * 5 * e.radius;
+  contact->accept(1 * nm);
+  for (const double force : {0.2e-3, 1e-3, 3e-3, 2.9e-3, 1e-3, 0.0, -0.5 * opening, -0.99 * opening}) {
+    const double d = contact->displacement(force);
+    EXPECT_NEAR(contact->force(d), force, 1e-9 * opening) << force;
+    contact->accept(d);
+  }
+  EXPECT_TRUE(std::isnan(contact->displacement(-1.01 * opening)));
+}
+
 /// Friction limit that an effect leaves of 0.2 under a sample.
 double changed(const std::string& id, const std::vector<double>& values, const Sample& sample,
                double slip = 0, Motion mode = Motion::sliding) {

@@ -15,6 +15,7 @@
 #include "core/printed.h"
 #include "core/topography_spec.h"
 #include "diagnosis/conceal/normal_truth.h"
+#include "diagnosis/conceal/other_code_truth.h"
 #include "diagnosis/conceal/rough_layer.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -314,6 +315,37 @@ TEST(SolvedCase_behaviour, other_motions_are_refused) {
       message_of<InputError>([&] { diagnosed(recording, &simulation); }),
       "--case takes recordings of normal contact and of sliding so far, and this one is of rolling; leave "
       "out --case to diagnose it by reduced laws");
+}
+
+/// Generated surfaces on half-spaces, which follow no layer's law exactly, counted from 0.2 % of the load.
+TEST(SolvedCase_other_code, a_rough_contact_of_half_spaces_is_named_with_its_height_and_its_zero) {
+  constexpr double largest = 250e-6;
+  int explained = 0;
+  for (const unsigned seed : {3u, 4u}) {
+    const hidden::RoughSurface surface{1.2 * nm, 150 * nm, 70 * nm, seed};
+    const auto contact = hidden::rough_half_spaces(glass, wafer, radius, surface, largest);
+    double deepest = 5 * nm;
+    while (contact->force(deepest, 0) < largest) deepest += 0.05 * nm;
+    const Recording recording =
+        pressed([&](double d) { return contact->force(d, 0); }, 0.003 * largest, {deepest});
+    StandIn smooth;
+    const Diagnosis d = diagnosed(recording, &smooth);
+    ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+    EXPECT_EQ(d.left_out[0].id, "roughness_compliance");
+    EXPECT_TRUE(d.verdict == Verdict::explained || d.verdict == Verdict::partly_explained) << d.in_words;
+    if (d.verdict != Verdict::explained) continue;  // what is explained in part has no height to go by
+    ++explained;
+    ASSERT_EQ(d.corrected().size(), 1u);
+    EXPECT_LT(d.corrected()[0].low, surface.rms);
+    EXPECT_GT(d.corrected()[0].high, surface.rms);
+    const auto& parameters = d.left_out[0].parameters;
+    const auto zero = std::find_if(parameters.begin(), parameters.end(),
+                                   [](const auto& p) { return p.name == "zero_force"; });
+    ASSERT_NE(zero, parameters.end());
+    EXPECT_GT(zero->value, 1e-3 * largest);
+    EXPECT_LT(zero->value, 5e-3 * largest);
+  }
+  EXPECT_GE(explained, 1);
 }
 
 /// A layer of asperities whose pressure follows the gap exponentially, solved on rings: no formula of the

@@ -204,6 +204,37 @@ TEST(RelaxingRoughContact_analytic, the_integral_over_the_elastic_force_is_that_
   EXPECT_TRUE(verified("Ting's as it shrinks").below(shrinking / largest, 0.01));
 }
 
+/// Pressed again, before it opened and after: the law takes up where it was largest, or as if nothing had
+/// been.
+TEST(RelaxingRoughContact_analytic, pressed_again_is_that_of_boundary_elements_nearly) {
+  const double parameters[] = {0.5, 10}, step = 0.5;
+  Mechanics m;
+  m.geometry = {reduced_modulus(relaxing_polymer, stiff_plate), of_sphere};
+  effect_of("viscoelasticity").assemble(m, parameters);
+  const auto law = m.normal.contact->clone();
+  RoughHalfSpaces relaxing(parameters[0], parameters[1]);
+  double largest = 0, before_opening = 0, after_opening = 0, at = 0;
+  const auto go_to = [&](double to, double& off) {
+    constexpr double stride = nm;
+    while (std::abs(to - at) > 0.5 * stride) {
+      at += to > at ? stride : -stride;
+      const double elastic = RoughHalfSpaces().force(at, 0), smooth_depth = m.geometry.approach(elastic);
+      law->begin_step(step);
+      const double by_law = law->force(smooth_depth);
+      law->accept(smooth_depth);
+      largest = std::max(largest, by_law);
+      off = std::max(off, std::abs(by_law - relaxing.force(at, step)));
+    }
+  };
+  go_to(depth, before_opening);
+  go_to(0.6 * depth, before_opening);
+  go_to(1.1 * depth, before_opening);
+  go_to(0, before_opening);
+  go_to(depth, after_opening);
+  EXPECT_LT(before_opening / largest, 0.02);
+  EXPECT_LT(after_opening / largest, 0.12);
+}
+
 TEST(SolvedInTime_behaviour, a_relaxing_body_is_named_around_the_solution_of_a_rough_case) {
   constexpr double share = 0.5, time_constant = 8;
   RoughHalfSpaces contact(share, time_constant);
