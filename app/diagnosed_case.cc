@@ -19,6 +19,8 @@ void write_diagnosed_case(const Settings* settings, const Diagnosis& diagnosis, 
   Settings corrected = *settings;
   std::string head =
       "# The case with what asperity diagnose found missing (" + name_of(diagnosis.verdict) + "):\n";
+  if (diagnosis.verdict == Verdict::partly_explained)
+    head += "# More is missing, which these values may have taken up: their intervals do not count it.\n";
   for (const CorrectedEntry& e : entries) {
     const std::size_t slash = e.entry.find('/');
     override_setting(corrected,

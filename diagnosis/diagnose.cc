@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "diagnosis/catalogue/effect.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
 #include "diagnosis/choose/tell_apart.h"
@@ -156,6 +157,10 @@ class Diagnoser {
 
   void describe_simulation() {
     describe_in_case(result_.left_out);
+    for (const DiagnosedEffect& named : result_.left_out)
+      if (const std::string why = effect_of(named.id).why_no_entry(problem_.experiment, named.parameters);
+          !why.empty())
+        result_.remarks.push_back(why);
     for (auto& alternative : result_.alternatives) describe_in_case(alternative.effects);
     result_.simulation = mapping_->described(result_.left_out.empty() ? nullptr : &judged_.list.front().fit);
     for (const auto& remark : mapping_->remarks()) result_.remarks.push_back(remark);

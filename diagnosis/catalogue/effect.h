@@ -123,6 +123,11 @@ class Effect {
   /// all corners of the parameters' intervals where nothing else is said.
   virtual std::vector<CorrectedEntry> corrected_entries(const Experiment& experiment,
                                                         const std::vector<DiagnosedParameter>& found) const;
+  /// Why these parameters stand for no entry of a corrected case, as a sentence; empty: nothing speaks
+  /// against.
+  virtual std::string why_no_entry(const Experiment&, const std::vector<DiagnosedParameter>&) const {
+    return "";
+  }
   /// Why it has no form of finite elements, as the end of a sentence; empty where it has one.
   virtual std::string why_not_by_finite_elements(const Experiment&) const {
     return "there is no form of it for finite elements yet";

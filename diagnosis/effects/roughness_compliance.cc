@@ -50,7 +50,7 @@ class RoughnessCompliance : public Effect {
          {0.03, 1}}};
     if (has_own_zero(e)) {
       // First asperities are no stiffer than the sphere at the depth l: f_0/l <= 2 E* (R l)^(1/2).
-      list.back().high = 1.5;
+      list.back().high = stiffest;
       list.back().logarithmic = false;
       list.back().bounds_are_meant = true;
       constexpr double largest = 0.02, usual = 2e-3;
@@ -73,7 +73,7 @@ class RoughnessCompliance : public Effect {
   /// or what the mesh resolves.
   std::vector<CorrectedEntry> corrected_entries(const Experiment& e,
                                                 const std::vector<DiagnosedParameter>& found) const override {
-    if (!e.case_is_smooth) return {};
+    if (!e.case_is_smooth || !why_no_entry(e, found).empty()) return {};
     constexpr double least_part = 0.35, part = 0.6, largest_part = 0.9;
     const DiagnosedParameter& length = found.front();
     const double rms = length.value / part, radius = e.hertz().contact_radius(e.largest_force),
@@ -82,6 +82,13 @@ class RoughnessCompliance : public Effect {
     return {{"Substrate/Topography", "m", rms, length.low / largest_part, length.high / least_part,
              printed("generated(rms=%.4g nm, hurst=0.8, rolloff=%.4g nm, cutoff=%.4g nm, seed=1)", 1e9 * rms,
                      1e9 * longest, 1e9 * shortest)}};
+  }
+  std::string why_no_entry(const Experiment& e, const std::vector<DiagnosedParameter>& found) const override {
+    constexpr double at_bound = 0.98;
+    if (!has_own_zero(e) || found.size() < 2 || found[1].value < at_bound * stiffest) return "";
+    return "the layer of roughness_compliance is as stiff at first touch as its law lets it be: its length "
+           "says "
+           "nothing of a height, and corrected.prm has no topography for it";
   }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   void assemble(Mechanics& m, const double* p) const override {
@@ -100,6 +107,7 @@ class RoughnessCompliance : public Effect {
   }
 
  private:
+  static constexpr double stiffest = 1.5;  // onset of a layer that is as stiff as the sphere
   /// Beside a smooth case; a rough one knows its own.
   static bool has_own_zero(const Experiment& e) { return e.by_finite_elements && e.case_is_smooth; }
 };
