@@ -56,9 +56,9 @@ void drive(Settings& settings, const LoadingProtocol& protocol) {
   if (protocol.retract > 0) set_entry(settings, "Experiment/Unload steps", steps_to_resolve_pull_off);
 }
 
-void drive(Settings& settings, const SlidingProtocol& protocol) {
+void drive(Settings& settings, const MotionProtocol& protocol) {
   if (protocol.substrate_rms) scale_substrate(settings, *protocol.substrate_rms);
-  set_entry(settings, "Experiment/Type", "sliding");
+  set_entry(settings, "Experiment/Type", name_of(protocol.motion));
   set_entry(settings, "Experiment/Control", "force");
   set_entry(settings, "Experiment/Normal load", printed("%.6g N", protocol.normal_force));
   set_entry(settings, "Experiment/Normal approach", "0 m");

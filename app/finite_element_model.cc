@@ -54,9 +54,11 @@ FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<s
   warn_of_former_names(given);
   input_ = case_from_settings(given, file);
   settings_ = complete_settings(given, file);
-  if (input_.experiment.type != Motion::normal && input_.experiment.type != Motion::sliding)
-    throw InputError(file.string() + ": Experiment/Type is " + name_of(input_.experiment.type) +
-                     ", and --case takes cases of normal contact and of sliding so far; set Type = normal");
+  const Motion type = input_.experiment.type;
+  if (type != Motion::normal && type != Motion::sliding && type != Motion::rolling)
+    throw InputError(file.string() + ": Experiment/Type is " + name_of(type) +
+                     ", and --case takes cases of normal contact, of sliding and of rolling so far; set Type "
+                     "= normal");
 }
 
 void FiniteElementModel::refuse_for_normal_recordings() const {
@@ -85,6 +87,7 @@ SimulatedBodies FiniteElementModel::bodies() const {
           given_of_interface("Friction coefficient"),
           given_of_interface("Adhesion range"),
           input_.interface.work_of_adhesion,
+          fem::work_of_adhesion(input_.interface).opening,
           input_.interface.attraction_force,
           rms_of_generated(input_.substrate),
           input_.experiment.unload_steps};
@@ -106,7 +109,8 @@ FiniteElementModel::Asked FiniteElementModel::asked_of(Settings driven,
     set_entry(item.settings, change.entry,
               printed("%.6g", change.value) + (change.unit.empty() ? "" : " " + change.unit));
   const CaseInput changed = case_from_settings(item.settings, file_);  // refuses what the case cannot take
-  if (fem::work_of_adhesion(changed.interface).opening > 0 && changed.interface.adhesion_law != "dugdale")
+  if (changed.experiment.type == Motion::normal && fem::work_of_adhesion(changed.interface).opening > 0 &&
+      changed.interface.adhesion_law != "dugdale")
     throw InputError(file_.string() + ": Interface/Adhesion law is " + changed.interface.adhesion_law +
                      ", and attraction is tried as Dugdale's so far; set it to dugdale");
   const std::string inputs = inputs_sha256(item.settings, file_);
@@ -206,29 +210,30 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
   return responses;
 }
 
-std::vector<SolvedSlide> FiniteElementModel::slide(const std::vector<CaseChange>& changes,
-                                                   const std::vector<SlidingProtocol>& protocols,
+std::vector<SolvedMotion> FiniteElementModel::move(const std::vector<CaseChange>& changes,
+                                                   const std::vector<MotionProtocol>& protocols,
                                                    bool must_end) {
-  std::vector<SolvedSlide> slides = slide_once(changes, protocols, must_end);
-  // Friction that is more than what was recorded needs a longer path until all of the contact slips.
+  std::vector<SolvedMotion> motions = move_once(changes, protocols, must_end);
+  // Resistance that is more than what was recorded needs a longer path until it is steady.
   constexpr double longer = 3;
-  for (std::size_t i = 0; i < slides.size(); ++i) {
+  for (std::size_t i = 0; i < motions.size(); ++i) {
     const auto is_steady = [&] {
-      return std::isfinite(slides[i].friction) && std::isfinite(slides[i].friction_error);
+      return std::isfinite(motions[i].resistance) && std::isfinite(motions[i].resistance_error);
     };
     if (is_steady()) continue;
-    SlidingProtocol further = protocols[i];
+    MotionProtocol further = protocols[i];
     further.path *= longer;
-    slides[i] = slide_once(changes, {further}, must_end).front();
+    motions[i] = move_once(changes, {further}, must_end).front();
     if (!is_steady())
-      throw WorkError("'" + slides[i].source +
-                      "' states no sliding friction: the contact did not slip as a whole on its path");
+      throw WorkError("'" + motions[i].source +
+                      "' states no steady resistance: the contact did not slip as a whole, or roll "
+                      "steadily, on its path");
   }
-  return slides;
+  return motions;
 }
 
-std::vector<SolvedSlide> FiniteElementModel::slide_once(const std::vector<CaseChange>& changes,
-                                                        const std::vector<SlidingProtocol>& protocols,
+std::vector<SolvedMotion> FiniteElementModel::move_once(const std::vector<CaseChange>& changes,
+                                                        const std::vector<MotionProtocol>& protocols,
                                                         bool must_end) {
   Study study = empty_study();
   const std::vector<Asked> asked = asked_of(changes, protocols, study);
@@ -242,9 +247,9 @@ std::vector<SolvedSlide> FiniteElementModel::slide_once(const std::vector<CaseCh
       throw WorkError("'" + folder + "' could not be solved: " + done.message);
     throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
   }
-  std::vector<SolvedSlide> slides;
-  for (std::size_t i = 0; i < asked.size(); ++i) slides.push_back(slide_of(asked[i].folder, protocols[i]));
-  return slides;
+  std::vector<SolvedMotion> motions;
+  for (std::size_t i = 0; i < asked.size(); ++i) motions.push_back(motion_of(asked[i].folder, protocols[i]));
+  return motions;
 }
 
 }  // namespace asperity

@@ -43,9 +43,10 @@ class FiniteElementModel : public ForwardModel {
   OtherSurfaces on_other_surfaces(double largest_force) override {
     return other_surfaces_of(input_, largest_force);
   }
-  /// Throws InputError for a change that the case refuses, WorkError where it does not slide as a whole.
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
-                                 const std::vector<SlidingProtocol>& protocols, bool must_end) override;
+  /// Throws InputError for a change that the case refuses, WorkError where it does not slip as a
+  /// whole, or roll steadily.
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,
+                                 const std::vector<MotionProtocol>& protocols, bool must_end) override;
 
   /// Every entry of the case as given, for a corrected case to be written from.
   const Settings& settings() const { return settings_; }
@@ -65,8 +66,8 @@ class FiniteElementModel : public ForwardModel {
   Asked asked_of(Settings driven, const std::vector<CaseChange>& changes, Study& study) const;
   Study empty_study() const;
   void refuse_for_normal_recordings() const;
-  std::vector<SolvedSlide> slide_once(const std::vector<CaseChange>& changes,
-                                      const std::vector<SlidingProtocol>& protocols, bool must_end);
+  std::vector<SolvedMotion> move_once(const std::vector<CaseChange>& changes,
+                                      const std::vector<MotionProtocol>& protocols, bool must_end);
   /// Why a solution that took so many seconds ends; empty: it goes on.
   std::string out_of_time(double seconds) const;
   std::vector<CaseProgress> run(const Study& study, const EnoughOfIt& enough,

@@ -21,20 +21,48 @@ std::size_t steps_within_region(const History& history) {
       std::find_if(rim.begin(), rim.end(), [](double reached) { return reached > 0; }) - rim.begin());
 }
 
-SolvedSlide slide_of(const fs::path& folder, const SlidingProtocol& protocol) {
+namespace {
+
+/// Lateral force with its standard deviation [N].
+struct Resistance {
+  double value = 0, sd = 0;
+};
+
+Resistance sliding_resistance(const SolvedCase& solved, double normal_force) {
+  const EffectiveNumber friction = solved.effective("sliding_friction");
+  return {friction.value * normal_force, friction.sd * normal_force};
+}
+
+/// Of the energy that rolling loses per angle. Below what the mesh makes of smooth elastic bodies it is known
+/// to be no more than that.
+Resistance rolling_resistance(const SolvedCase& solved) {
+  const EffectiveNumber lost = solved.effective("rolling_dissipation"),
+                        floor = solved.effective("rolling_noise_floor");
+  const double radius = solved.hertz().radius;
+  Resistance resistance{lost.value / radius, lost.sd / radius};
+  if (!(lost.value > floor.value) && std::isfinite(lost.value))
+    resistance.value = resistance.sd = floor.value / radius;
+  return resistance;
+}
+
+}  // namespace
+
+SolvedMotion motion_of(const fs::path& folder, const MotionProtocol& protocol) {
   const SolvedCase solved = read_solved_case(folder);
   if (steps_within_region(solved.history) < solved.history.size()) refuse_outgrown(folder);
-  const EffectiveNumber friction = solved.effective("sliding_friction"),
-                        stiffness = solved.effective("lateral_stiffness");
-  SolvedSlide slide;
-  slide.normal_force = protocol.normal_force;
-  slide.substrate_rms = protocol.substrate_rms;
-  slide.friction = friction.value * slide.normal_force;
-  slide.friction_error = friction.sd * slide.normal_force;
-  slide.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
-  slide.lateral_stiffness_error = std::isfinite(stiffness.sd) ? stiffness.sd : 0;
-  slide.source = folder.string();
-  return slide;
+  const EffectiveNumber stiffness = solved.effective("lateral_stiffness");
+  SolvedMotion motion;
+  motion.normal_force = protocol.normal_force;
+  motion.substrate_rms = protocol.substrate_rms;
+  const Resistance resistance = protocol.motion == Motion::rolling
+                                    ? rolling_resistance(solved)
+                                    : sliding_resistance(solved, protocol.normal_force);
+  motion.resistance = resistance.value;
+  motion.resistance_error = resistance.sd;
+  motion.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
+  motion.lateral_stiffness_error = std::isfinite(stiffness.sd) ? stiffness.sd : 0;
+  motion.source = folder.string();
+  return motion;
 }
 
 SolvedResponse response_of(const fs::path& folder, const std::string& ended_early) {

@@ -21,9 +21,9 @@ constexpr const char* at_the_rim = "the contact came to the edge of the finely m
 /// Steps before the contact came to the edge of the finely meshed region: all, where it did not.
 std::size_t steps_within_region(const History& history);
 
-/// Its friction is NaN where the contact did not slip as a whole on its path. Throws WorkError where the
-/// contact outgrew its mesh.
-SolvedSlide slide_of(const std::filesystem::path& folder, const SlidingProtocol& protocol);
+/// Its resistance is NaN where the contact did not slip as a whole, or roll steadily, on its path. Throws
+/// WorkError where the contact outgrew its mesh.
+SolvedMotion motion_of(const std::filesystem::path& folder, const MotionProtocol& protocol);
 
 /// Of pressing, up to the edge of the finely meshed region; `ended_early`: why it is not complete. Throws
 /// WorkError where it says too little, or does not state its error.

@@ -28,12 +28,12 @@ struct ModelErrors {
   std::vector<LawError> of_curves = {};
 };
 
-/// Whether finite elements are off by one factor at all samples: as friction is that is slid at a few loads,
-/// and the approach on one surface in place of another. By its mesh the approach of a contact that is pressed
-/// is off by another part at each load.
+/// Whether finite elements are off by one factor at all samples: as resistance is that is solved at a few
+/// loads, and the approach on one surface in place of another. By its mesh the approach of a contact that is
+/// pressed is off by another part at each load.
 inline bool has_shared_error(const FitProblem& problem) {
   return problem.correction &&
-         (problem.experiment.mode == Motion::sliding || !problem.correction->surface_errors().empty());
+         (problem.experiment.mode != Motion::normal || !problem.correction->surface_errors().empty());
 }
 
 /// What a fit leaves and what it may be off by.

@@ -33,7 +33,7 @@ Misfit shared_misfit(const FitProblem& problem, const ModelFit& fit) {
   Misfit misfit;
   misfit.residual = FitProblem::residual(problem.samples, surface.simulated(*fit.explanation, fit.values));
   misfit.errors.of_surfaces = surface.changes();
-  if (fit.explanation->correction() && problem.experiment.mode == Motion::sliding)
+  if (fit.explanation->correction() && problem.experiment.mode != Motion::normal)
     misfit.errors.of_mesh = mesh_errors(fit, problem.samples);
   return misfit;
 }
@@ -60,7 +60,7 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
   const auto with = fit.simulate(samples);
   ModelErrors errors;
   if (fit.explanation->correction())
-    (problem.experiment.mode == Motion::sliding ? errors.of_mesh : errors.of_mesh_along) =
+    (problem.experiment.mode != Motion::normal ? errors.of_mesh : errors.of_mesh_along) =
         mesh_errors(fit, samples);
   // What all change together bounds what one does: effects that undo each other lend each other no room.
   LawError changed(with.size());

@@ -25,9 +25,12 @@ class ConstantLateralForce : public Effect {
     const double f = e.largest_response;
     return {{"force", "N", "f_0", 0, 3 * f, false, {0.05 * f, 0.3 * f}}};
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.mode == Motion::rolling ? EntersBy::beside : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double force = p[0];
-    m.lateral.limit_changes.push_back([force](double limit, const SlipState&) { return limit + force; });
+    m.lateral.beside.push_back([force](const SlipState&) { return force; });
   }
 };
 

@@ -35,6 +35,9 @@ class ContactRadiusScaling : public Effect {
                                        {0.5 * mu, 1.5 * mu}}};
     return list;
   }
+  std::string why_not_by_finite_elements(const Experiment&) const override {
+    return "how the resistance follows the contact radius is what the solution says";
+  }
   void assemble(Mechanics& m, const double* p) const override {
     m.lateral.length = LengthScale::contact_radius;
     m.lateral.coefficient = p[0];

@@ -26,6 +26,9 @@ class RollingAdhesionOffset : public Effect {
              false,
              {0.05 * e.typical_force, 0.5 * e.typical_force}}};
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.is_lateral() ? EntersBy::on_friction : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override { m.lateral.offset += p[0]; }
 };
 

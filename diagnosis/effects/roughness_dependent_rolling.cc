@@ -29,6 +29,9 @@ class RoughnessDependentRolling : public Effect {
             {"c", "", "added by a smooth one", -3 * mu, 100 * mu, false, {0.3 * mu, mu}},
             {"decay_length", "m", "d", 0.03 * rms, 10 * rms, true, {0.2 * rms, rms}}};
   }
+  std::string why_not_by_finite_elements(const Experiment&) const override {
+    return "the case is solved with each recorded roughness, and says itself how it rolls there";
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double b = p[0], c = p[1], d = p[2];
     m.lateral.coefficient_changes.insert(

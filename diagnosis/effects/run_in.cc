@@ -40,7 +40,7 @@ class RunIn : public Effect {
         {"cycles", "", "over which the change fades", 0.1, longest, true, {0.1 * e.cycles, 0.4 * e.cycles}}};
   }
   EntersBy enters_by(const Experiment& e) const override {
-    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+    return e.is_lateral() ? EntersBy::on_friction : EntersBy::reduced_law_only;
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double change = p[0], cycles = p[1];

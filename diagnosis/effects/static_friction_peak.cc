@@ -33,7 +33,7 @@ class StaticFrictionPeak : public Effect {
              {0.01 * path, 0.05 * path, 0.2 * path}}};
   }
   EntersBy enters_by(const Experiment& e) const override {
-    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+    return e.is_lateral() ? EntersBy::on_friction : EntersBy::reduced_law_only;
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double excess = p[0] - 1, length = p[1];

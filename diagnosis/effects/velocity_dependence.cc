@@ -37,7 +37,7 @@ class VelocityDependence : public Effect {
              {-0.05 * mu, 0.05 * mu}}};
   }
   EntersBy enters_by(const Experiment& e) const override {
-    return e.mode == Motion::sliding ? EntersBy::on_friction : EntersBy::reduced_law_only;
+    return e.is_lateral() ? EntersBy::on_friction : EntersBy::reduced_law_only;
   }
   void assemble(Mechanics& m, const double* p) const override {
     const double b = p[0], slowest = 0.1 * m.experiment.slowest,

@@ -26,6 +26,9 @@ class ViscousRolling : public Effect {
     const double scale = e.largest_response / (e.largest_force * e.fastest);
     return {{"coefficient", "s/m", "k", 0, 100 * scale, false, {0.1 * scale, scale}}};
   }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.is_lateral() ? EntersBy::on_friction : EntersBy::reduced_law_only;
+  }
   void assemble(Mechanics& m, const double* p) const override {
     const double k = p[0];
     m.lateral.coefficient_changes.push_back([k](double mu, const SlipState& s) { return mu + k * s.speed; });

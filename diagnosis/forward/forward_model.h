@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/hertz.h"
+#include "core/motion.h"
 
 namespace asperity {
 
@@ -40,20 +41,23 @@ struct SolvedResponse {
   bool is_out_of_time = false;       ///< it ended early because it took too long
 };
 
-/// How a contact that was pressed is slid: at a constant normal force, from rest.
-struct SlidingProtocol {
-  double normal_force = 0;  ///< [N]
-  double path = 0;          ///< path length [m]
+/// How a contact that was pressed is slid or rolled: at a constant normal force, from rest.
+struct MotionProtocol {
+  Motion motion = Motion::sliding;  ///< or rolling
+  double normal_force = 0;          ///< [N]
+  double path = 0;                  ///< path length [m]
   /// RMS roughness that the substrate's generated surface is scaled to [m]; none: as the case has it.
   std::optional<double> substrate_rms;
 };
 
-/// What one slid case says, once the whole contact slips.
-struct SolvedSlide {
+/// What one case that was slid or rolled says of its steady motion.
+struct SolvedMotion {
   double normal_force = 0;              ///< [N]
   std::optional<double> substrate_rms;  ///< as asked for [m]
-  double friction = 0;                  ///< steady lateral force [N]
-  double friction_error = 0;     ///< its standard deviation, as stated: along the path, of mesh and steps [N]
+  /// Steady lateral force; of rolling that at the particle's centre: the energy lost per angle over its
+  /// radius [N].
+  double resistance = 0;
+  double resistance_error = 0;   ///< its standard deviation, as stated: along the path, of mesh and steps [N]
   double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: it is not stated
   double lateral_stiffness_error = 0;  ///< its standard deviation, as stated [N/m]
   std::string source;                  ///< where it can be looked up
@@ -90,6 +94,7 @@ struct SimulatedBodies {
   double friction_coefficient = 0;  ///< local mu of the interface [-]; 0: its law has none
   double adhesion_range = 0;        ///< [m]; 0: the case gives none
   double work_of_adhesion = 0;      ///< on approach [J/m^2]
+  double work_of_separation = 0;    ///< of adhesion, on separation [J/m^2]
   double attraction_force = 0;      ///< beyond the contact [N]
   double substrate_rms = 0;         ///< of a generated substrate [m]; 0: it is smooth or a scan
   int unload_steps = 0;             ///< in which it is drawn back; 0: not known
@@ -110,9 +115,10 @@ class ForwardModel {
   /// The case as it is on other realisations of its surfaces, up to a force [N]: an experiment has one of its
   /// own. None where no surface is generated.
   virtual OtherSurfaces on_other_surfaces(double) { return {}; }
-  /// Slides the case with these changes under each of the protocols, likewise; `must_end`: whatever it takes.
-  virtual std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
-                                         const std::vector<SlidingProtocol>& protocols, bool must_end) = 0;
+  /// Slides or rolls the case with these changes under each of the protocols, likewise; `must_end`: whatever
+  /// it takes.
+  virtual std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,
+                                         const std::vector<MotionProtocol>& protocols, bool must_end) = 0;
 };
 
 }  // namespace asperity

@@ -141,11 +141,11 @@ SolvedCaseMapping::SolvedSet SolvedCaseMapping::solved_set(const FitProblem& pro
                                                            const std::vector<double>& expected,
                                                            bool may_begin_again) {
   const Mechanics reduced = reduced_law(problem, fit);
-  if (is_of_sliding_) {
-    const auto slid = slide(problem.experiment, &fit);
-    return {friction_difference_to(slid, reduced),
+  if (is_lateral_) {
+    const auto moved = move(problem.experiment, &fit);
+    return {resistance_difference_to(moved, reduced),
             {Confirmation::complete, problem.samples, {}},
-            slid.front().source};
+            moved.front().source};
   }
   const Trial trial = trial_of(problem, fit, protocols_.list.front().largest_force);
   const Watch watch{problem, trial, fit, expected, may_begin_again};

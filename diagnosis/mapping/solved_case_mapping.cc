@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/quantity.h"
+#include "diagnosis/mapping/changes_in_words.h"
 #include "diagnosis/mapping/recorded_contact.h"
 
 namespace asperity {
@@ -21,15 +22,6 @@ bool case_yields(const Experiment& experiment) {
   for (const auto& effect : effect_catalogue())
     if (effect->returns_on_another_curve() && !effect->values_in_case(experiment).empty()) return true;
   return false;
-}
-
-std::string in_words(const std::vector<CaseChange>& changes) {
-  std::string text;
-  for (const auto& change : changes) {
-    text += (text.empty() ? "" : ", ") + change.entry + printed(" = %.4g", change.value) +
-            (change.unit.empty() ? "" : " " + change.unit);
-  }
-  return text.empty() ? "as it is" : text;
 }
 
 /// What a diagnosis says of it.
@@ -69,59 +61,18 @@ void take(RecordedBody& recorded, const ElasticBody& of_case, const std::string&
   recorded.poissons_ratio = of_case.poisson_ratio;
 }
 
-/// A case has one particle, and one surface unless its RMS roughness can follow the recording.
-void refuse_several_surfaces(const Recording& recording, double substrate_rms) {
-  std::vector<const char*> fixed{"radius", "humidity"};
-  if (!(substrate_rms > 0)) fixed.push_back("rms_roughness");
-  for (const char* channel : fixed) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const auto& table : recording.tables) {
-      if (!table.has(channel)) continue;
-      for (const double value : table.column(channel)) {
-        if (!std::isfinite(value)) continue;
-        least = std::min(least, value), most = std::max(most, value);
-      }
-    }
-    constexpr double rounding = 1e-3;
-    if (most - least > rounding * std::abs(most))
-      throw InputError(std::string("the recording varies ") + channel +
-                       ", and a case has one; diagnose each part with a case of its own, " +
-                       (channel == std::string("rms_roughness")
-                            ? "give it Substrate/Topography = generated(...), which follows, "
-                            : "") +
-                       "or leave out --case");
-  }
-}
-
-/// The local friction that the case states, which is not fitted before physics is added.
-void take_friction(SimulationChoice& simulation, double of_case, std::vector<std::string>& remarks) {
-  if (!(of_case > 0))
-    throw InputError(
-        "--case needs a law of friction with a coefficient for a recording of sliding; give the case "
-        "Interface/Friction coefficient");
-  const auto given = simulation.parameters.find("sliding_friction");
-  constexpr double rounding = 1e-3;
-  if (given != simulation.parameters.end() &&
-      (given->second.calibrate || std::abs(given->second.value - of_case) > rounding * of_case))
-    remarks.push_back(
-        printed("local friction is the case's, %.4g, and not what the recording says of sliding_friction; "
-                "where it is another, friction_coefficient is named",
-                of_case));
-  simulation.parameters["sliding_friction"] = {of_case, false};
-}
-
 }  // namespace
 
 Recording SolvedCaseMapping::with_bodies_of_case(const Recording& recording) {
-  is_of_sliding_ = recording.mode == Motion::sliding;
-  if (recording.mode != Motion::normal && !is_of_sliding_)
-    throw InputError("--case takes recordings of normal contact and of sliding so far, and this one is of " +
-                     name_of(recording.mode) + "; leave out --case to diagnose it by reduced laws");
+  is_lateral_ = recording.mode == Motion::sliding || recording.mode == Motion::rolling;
+  if (recording.mode != Motion::normal && !is_lateral_)
+    throw InputError(
+        "--case takes recordings of normal contact, of sliding and of rolling so far, and this one is of " +
+        name_of(recording.mode) + "; leave out --case to diagnose it by reduced laws");
   const SimulatedBodies bodies = model_.bodies();
   Recording changed = recording;
-  if (is_of_sliding_) {
-    refuse_several_surfaces(recording, bodies.substrate_rms);
-    take_friction(changed.simulation, bodies.friction_coefficient, remarks_);
+  if (is_lateral_) {
+    prepare_lateral(changed, bodies);
   }
   take(changed.particle, bodies.particle, "particle", remarks_);
   take(changed.substrate, bodies.substrate, "substrate", remarks_);
@@ -190,21 +141,11 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.experiment.case_friction = bodies.friction_coefficient;
   problem.experiment.case_adhesion_range = bodies.adhesion_range;
   problem.experiment.case_work_of_adhesion = bodies.work_of_adhesion;
+  problem.experiment.case_work_of_separation = bodies.work_of_separation;
   problem.experiment.case_attraction_force = bodies.attraction_force;
   problem.experiment.case_rms = bodies.substrate_rms;
+  if (is_lateral_) return correct_lateral(problem);
   const Mechanics alone = Explanation(problem.experiment, problem.choice, {}).mechanics({});
-  if (is_of_sliding_) {
-    slides_ = sliding_protocols_of(problem, bodies.is_smooth);
-    if (slides_.front().substrate_rms)
-      remarks_.push_back(
-          "the recording is of several surfaces: the case is solved with its substrate scaled to the RMS "
-          "roughness of each, spectrum and seed as they are");
-    const auto slid = slide(problem.experiment, nullptr);
-    before_ = slid.front().source;
-    error_ = friction_error(slid);
-    problem.correction = friction_difference_to(slid, alone);
-    return;
-  }
   protocols_ = protocols_of(problem.samples);
   if (bodies.unload_steps > 0)
     problem.samples.snap_width = 0.5 * recorded_in_contact(problem, Pressed::or_pulled) / bodies.unload_steps;
@@ -222,28 +163,6 @@ std::vector<CaseChange> SolvedCaseMapping::changes_of(const Experiment& experime
   for (std::size_t e = 0; e < effects.size(); ++e)
     for (auto& change : effects[e]->case_changes(experiment, values[e])) changes.push_back(std::move(change));
   return changes;
-}
-
-std::vector<SolvedSlide> SolvedCaseMapping::slide(const Experiment& experiment, const ModelFit* fit) {
-  std::vector<SolvedSlide> all;
-  for (std::size_t from = 0, to = 0; from < slides_.size(); from = to) {
-    const std::optional<double> rms = slides_[from].substrate_rms;
-    Experiment of_surface = experiment;
-    if (rms) of_surface.case_rms = *rms;
-    std::string loads;
-    std::vector<SlidingProtocol> protocols;
-    for (; to < slides_.size() && slides_[to].substrate_rms == rms; ++to) {
-      protocols.push_back(slides_[to]);
-      loads += (loads.empty() ? "" : ", ") + format_quantity(slides_[to].normal_force, Dimension::force);
-    }
-    const auto changes = fit ? changes_of(of_surface, *fit) : std::vector<CaseChange>();
-    say("sliding the case, " + in_words(changes) +
-        (rms ? ", on " + format_quantity(*rms, Dimension::length) + " RMS" : "") + ", under " + loads);
-    const auto slid = model_.slide(changes, protocols, !fit);
-    all.insert(all.end(), slid.begin(), slid.end());
-  }
-  solves_ += static_cast<int>(all.size());
-  return all;
 }
 
 void SolvedCaseMapping::widen_untested(const FitProblem& problem,
@@ -268,7 +187,7 @@ SolvedSimulation SolvedCaseMapping::described(const ModelFit* chosen) const {
   s.before = before_;
   s.solves = solves_;
   s.error = error_;
-  if (is_of_sliding_) s.error_unit.clear();
+  if (is_lateral_) s.error_of = is_rolling_ ? "rolling resistance" : "friction";
   if (!chosen) return s;
   for (const auto& solution : after_)
     if (solution.effects == chosen->explanation->name()) s.after = solution.source;

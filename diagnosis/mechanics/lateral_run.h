@@ -85,6 +85,7 @@ class LateralRun {
     double most = lateral_limit(mechanics_, sample, coefficient, at_substrate);
     for (auto& change : lateral_.limit_changes) most = change(most, state);
     if (lateral_.correction) most *= lateral_.correction->limit_factor(sample);
+    for (const auto& part : lateral_.beside) most += part(state);
     return std::max(0.0, most);
   }
   double stiffness_at(const SlipState& state) const {

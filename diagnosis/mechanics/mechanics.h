@@ -56,7 +56,7 @@ struct DelayedPart {
 };
 
 /// What finite elements say beyond the reduced law: under normal load a displacement of the contact at its
-/// force, in sliding factors on friction and lateral stiffness.
+/// force, in sliding and rolling factors on resistance and lateral stiffness.
 class BranchCorrection {
  public:
   virtual ~BranchCorrection() = default;
@@ -109,6 +109,8 @@ struct LateralMechanics {
       false;  ///< sliding: the limit is coefficient x pi a^2, coefficient a shear strength [Pa]
   std::vector<CoefficientChange> coefficient_changes;
   std::vector<LimitChange> limit_changes;
+  /// What else resists, beside the contact and its correction [N].
+  std::vector<std::function<double(const SlipState&)>> beside;
   std::vector<std::function<double(const Sample&)>> additions;  ///< to the recorded force [N]
   std::shared_ptr<const BranchCorrection> correction;           ///< of limit and stiffness; null: none
 };

@@ -99,12 +99,13 @@ struct SimulatedRows {
 /// The simulation that was diagnosed, where it was a case of finite elements.
 struct SolvedSimulation {
   bool by_finite_elements = false;
-  std::string case_file;         ///< as it was named
-  std::string before, after;     ///< where the solutions are: of the case as it was, and as corrected
-  int solves = 0;                ///< cases that the answer rests on, those solved earlier included
-  double error = 0;              ///< of mesh and load steps, as the solution of the case states it
-  std::string error_unit = "m";  ///< of the approach [m]; empty: of friction, as a part of it
+  std::string case_file;              ///< as it was named
+  std::string before, after;          ///< where the solutions are: of the case as it was, and as corrected
+  int solves = 0;                     ///< cases that the answer rests on, those solved earlier included
+  double error = 0;                   ///< of mesh and load steps, as the solution of the case states it
+  std::string error_of = "approach";  ///< [m]; "friction", "rolling resistance": as a part of it
 
+  bool is_error_of_approach() const { return error_of == "approach"; }
   /// "its approach is off by 0.05 nm", "its friction is off by 1.2 %".
   std::string off_by() const;
 };

@@ -70,11 +70,11 @@ Json forward_model(const Diagnosis& d) {
         {"value", e.value}, {"unit", e.unit}, {"ci95", {e.low, e.high}}, {"entry", e.written()}};
   json["case"] = simulation.case_file;
   json["solves"] = simulation.solves;
-  const bool is_of_approach = !simulation.error_unit.empty();
   json["discretisation_error"] = {{"value", simulation.error},
-                                  {"unit", simulation.error_unit},
-                                  {"of", is_of_approach ? "approach at the largest load, standard deviation"
-                                                        : "friction, standard deviation as a part of it"}};
+                                  {"unit", simulation.is_error_of_approach() ? "m" : ""},
+                                  {"of", simulation.is_error_of_approach()
+                                             ? "approach at the largest load, standard deviation"
+                                             : simulation.error_of + ", standard deviation as a part of it"}};
   json["before"] = simulation.before;
   json["after"] = simulation.after;
   json["corrected"] = corrected;
@@ -110,8 +110,9 @@ std::string CorrectedEntry::interval() const {
 }
 
 std::string SolvedSimulation::off_by() const {
-  return error_unit.empty() ? printed("its friction is off by %.2g %%", 100 * error)
-                            : "its approach is off by " + format_quantity(error, Dimension::length);
+  return "its " + error_of + " is off by " +
+         (is_error_of_approach() ? format_quantity(error, Dimension::length)
+                                 : printed("%.2g %%", 100 * error));
 }
 
 std::vector<CorrectedEntry> Diagnosis::corrected() const {

@@ -44,16 +44,19 @@ struct Experiment {
   /// Yield stresses of that case, as it is [Pa]; infinite: the body stays elastic.
   double particle_yield = std::numeric_limits<double>::infinity();
   double substrate_yield = std::numeric_limits<double>::infinity();
-  bool case_is_smooth = true;        ///< neither of its bodies has a topography
-  double case_spacing = 0;           ///< of its nodes where the bodies can touch [m]; 0: it derives it
-  double case_friction = 0;          ///< its local coefficient of friction [-]; 0: none
-  double case_adhesion_range = 0;    ///< of its attraction [m]; 0: it gives none
-  double case_work_of_adhesion = 0;  ///< its own [J/m^2]
-  double case_attraction_force = 0;  ///< its attraction beyond the contact [N]
+  bool case_is_smooth = true;          ///< neither of its bodies has a topography
+  double case_spacing = 0;             ///< of its nodes where the bodies can touch [m]; 0: it derives it
+  double case_friction = 0;            ///< its local coefficient of friction [-]; 0: none
+  double case_adhesion_range = 0;      ///< of its attraction [m]; 0: it gives none
+  double case_work_of_adhesion = 0;    ///< its own, on approach [J/m^2]
+  double case_work_of_separation = 0;  ///< the same on separation [J/m^2]
+  double case_attraction_force = 0;    ///< its attraction beyond the contact [N]
   /// RMS roughness of its substrate where that is generated, or of the recorded surface that it is solved
   /// with [m]; 0: smooth or a scan.
   double case_rms = 0;
 
+  /// Of motions along the surface that a case of finite elements can be set against.
+  bool is_lateral() const { return mode == Motion::sliding || mode == Motion::rolling; }
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }
   Hertz hertz() const { return {reduced_modulus(), radius}; }

@@ -15,7 +15,7 @@ constexpr double nano = 1e-9, micro = 1e-6;
 TEST(DrivenCase_behaviour, the_generated_substrate_is_scaled_and_keeps_spectrum_and_seed) {
   Settings settings{
       {"Substrate", "Topography", "generated(rms=1.5 nm, rolloff=200 nm, cutoff=72 nm, seed=7)", ""}};
-  drive(settings, SlidingProtocol{100 * micro, 200 * nano, 2.7 * nano});
+  drive(settings, MotionProtocol{Motion::sliding, 100 * micro, 200 * nano, 2.7 * nano});
   const TopographySpec scaled(settings.front().value);
   ASSERT_NE(scaled.generator(), nullptr);
   EXPECT_DOUBLE_EQ(scaled.rms(), 2.7 * nano);
@@ -23,7 +23,7 @@ TEST(DrivenCase_behaviour, the_generated_substrate_is_scaled_and_keeps_spectrum_
   EXPECT_DOUBLE_EQ(scaled.generator()->spectrum.rolloff, 200 * nano);
   Settings scan{{"Substrate", "Topography", "scan.gwy", ""}};
   EXPECT_NE(test::message_of<InputError>([&] {
-              drive(scan, SlidingProtocol{100 * micro, 200 * nano, 2.7 * nano});
+              drive(scan, MotionProtocol{Motion::sliding, 100 * micro, 200 * nano, 2.7 * nano});
             }).find("generated(rms=...)"),
             std::string::npos);
 }

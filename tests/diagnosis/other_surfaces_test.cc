@@ -70,7 +70,7 @@ class RoughCase : public ForwardModel {
     surfaces.unseen = 0.3 * nm;
     return surfaces;
   }
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>&, const std::vector<SlidingProtocol>&,
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>&, const std::vector<MotionProtocol>&,
                                  bool) override {
     throw WorkError("this stand-in does not slide");
   }

@@ -61,7 +61,7 @@ class AttractingStandIn : public ForwardModel {
     return responses;
   }
 
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>&, const std::vector<SlidingProtocol>&,
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>&, const std::vector<MotionProtocol>&,
                                  bool) override {
     throw WorkError("this stand-in does not slide");
   }

@@ -73,7 +73,7 @@ class StandIn : public ForwardModel {
     return responses;
   }
 
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>&, const std::vector<SlidingProtocol>&,
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>&, const std::vector<MotionProtocol>&,
                                  bool) override {
     throw WorkError("this stand-in does not slide");
   }
@@ -309,12 +309,11 @@ TEST(SolvedCase_behaviour, what_is_solved_in_part_is_judged_on_that_part_and_sai
 
 TEST(SolvedCase_behaviour, other_motions_are_refused) {
   Recording recording = pressed(force_of_hertz, 1e-9);
-  recording.mode = Motion::rolling;
+  recording.mode = Motion::torsion;
   StandIn simulation;
-  EXPECT_EQ(
-      message_of<InputError>([&] { diagnosed(recording, &simulation); }),
-      "--case takes recordings of normal contact and of sliding so far, and this one is of rolling; leave "
-      "out --case to diagnose it by reduced laws");
+  EXPECT_EQ(message_of<InputError>([&] { diagnosed(recording, &simulation); }),
+            "--case takes recordings of normal contact, of sliding and of rolling so far, and this one is of "
+            "torsion; leave out --case to diagnose it by reduced laws");
 }
 
 /// Generated surfaces on half-spaces, which follow no layer's law exactly, counted from 0.2 % of the load.

@@ -124,7 +124,7 @@ class ElasticRoughCase : public ForwardModel {
     r.source = "half-spaces";
     return std::vector<SolvedResponse>(protocols.size(), r);
   }
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>&, const std::vector<SlidingProtocol>&,
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>&, const std::vector<MotionProtocol>&,
                                  bool) override {
     throw std::logic_error("it does not slide");
   }

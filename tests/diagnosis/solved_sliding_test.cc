@@ -14,7 +14,7 @@
 #include "core/shear_moduli.h"
 #include "diagnosis/conceal/masing_contact.h"
 #include "diagnosis/diagnose.h"
-#include "diagnosis/mapping/solved_sliding.h"
+#include "diagnosis/mapping/solved_resistance.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/temporary_folder.h"
 
@@ -64,8 +64,8 @@ class SlidingStandIn : public ForwardModel {
     return 0.9 * (2 * M_PI * sphere_size * work + work / range * contact_area(load));
   }
   static double sheared_area(double load) { return 0.95 * contact_area(load); }
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
-                                 const std::vector<SlidingProtocol>& protocols, bool) override {
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,
+                                 const std::vector<MotionProtocol>& protocols, bool) override {
     double mu = friction, strength = 0, work = adheres, attraction = attracts;
     std::string together;
     for (const auto& change : changes) {
@@ -84,21 +84,21 @@ class SlidingStandIn : public ForwardModel {
         ADD_FAILURE() << change.entry;
     }
     tried.insert(together);
-    std::vector<SolvedSlide> slides;
+    std::vector<SolvedMotion> motions;
     for (const auto& protocol : protocols) {
-      SolvedSlide s;
+      SolvedMotion s;
       s.normal_force = protocol.normal_force;
-      s.friction = mu * (s.normal_force + attraction + (work > 0 ? pressed_by(work, s.normal_force) : 0)) +
-                   strength * sheared_area(s.normal_force);
-      s.friction_error = 0.002 * s.friction;
+      s.resistance = mu * (s.normal_force + attraction + (work > 0 ? pressed_by(work, s.normal_force) : 0)) +
+                     strength * sheared_area(s.normal_force);
+      s.resistance_error = 0.002 * s.resistance;
       s.lateral_stiffness = softer * full_stiffness(s.normal_force);
       s.lateral_stiffness_error = 0.013 * s.lateral_stiffness;
       s.source = "stand-in";
-      slides.push_back(s);
+      motions.push_back(s);
       slid.push_back(s.normal_force);
       EXPECT_GT(protocol.path, 1.5 * mu * s.normal_force / full_stiffness(s.normal_force));
     }
-    return slides;
+    return motions;
   }
 };
 

@@ -39,30 +39,30 @@ class RoughStandIn : public ForwardModel {
                                     const EnoughOfIt&) override {
     throw WorkError("nothing is pressed alone here");
   }
-  std::vector<SolvedSlide> slide(const std::vector<CaseChange>& changes,
-                                 const std::vector<SlidingProtocol>& protocols, bool) override {
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,
+                                 const std::vector<MotionProtocol>& protocols, bool) override {
     double mu = friction, attraction = 0, strength = 0;
     for (const auto& change : changes) {
       if (change.entry == "Interface/Friction coefficient") mu = change.value;
       if (change.entry == "Interface/Attraction force") attraction = change.value;
       if (change.entry.find("strength") != std::string::npos) strength = change.value;
     }
-    std::vector<SolvedSlide> slides;
+    std::vector<SolvedMotion> motions;
     for (const auto& protocol : protocols) {
       const double rms = protocol.substrate_rms.value_or(rms_of_case);
       slid_on.insert(rms);
-      SolvedSlide s;
+      SolvedMotion s;
       s.normal_force = protocol.normal_force;
       s.substrate_rms = protocol.substrate_rms;
       const Hertz hertz{reduced_modulus(bodies().particle, bodies().substrate), bodies().radius};
       const double area =
           M_PI * std::pow(hertz.contact_radius(s.normal_force), 2) * std::exp(-rms / (2 * nm));
-      s.friction = mu * (s.normal_force + left_of(attraction, rms)) + strength * area;
-      s.friction_error = 0.005 * s.friction;
+      s.resistance = mu * (s.normal_force + left_of(attraction, rms)) + strength * area;
+      s.resistance_error = 0.005 * s.resistance;
       s.source = "stand-in";
-      slides.push_back(s);
+      motions.push_back(s);
     }
-    return slides;
+    return motions;
   }
 };
 

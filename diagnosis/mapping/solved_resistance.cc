@@ -1,4 +1,4 @@
-#include "diagnosis/mapping/solved_sliding.h"
+#include "diagnosis/mapping/solved_resistance.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -51,7 +51,7 @@ struct SurfaceFactors {
   Factors limit, stiffness;
 };
 
-class FrictionDifference : public BranchCorrection {
+class ResistanceDifference : public BranchCorrection {
  public:
   std::vector<SurfaceFactors> surfaces;
   double relative_error = 0, relative_stiffness_error = 0;
@@ -75,10 +75,10 @@ class FrictionDifference : public BranchCorrection {
 /// Samples of one load.
 struct RecordedLoad {
   double normal_force = 0;  ///< mean [N]
-  double friction = 0;      ///< largest lateral force, of either direction [N]
+  double resistance = 0;    ///< largest lateral force, of either direction [N]
 };
 
-/// Roughness of each surface that was slid on, the smoothest first; of a single one, none.
+/// Roughness of each surface that was moved over, the smoothest first; of a single one, none.
 std::vector<std::optional<double>> recorded_surfaces(const Samples& samples) {
   std::vector<double> all;
   for (const Sample& s : samples.list) all.push_back(s.rms_roughness);
@@ -105,7 +105,7 @@ std::vector<RecordedLoad> recorded_loads(const Samples& samples, double largest,
     RecordedLoad load;
     for (; to < forces.size() && forces[to].first > (1 - same_load) * forces[from].first; ++to) {
       load.normal_force += forces[to].first;
-      load.friction = std::max(load.friction, forces[to].second);
+      load.resistance = std::max(load.resistance, forces[to].second);
     }
     load.normal_force /= static_cast<double>(to - from);
     loads.push_back(load);
@@ -113,18 +113,18 @@ std::vector<RecordedLoad> recorded_loads(const Samples& samples, double largest,
   return loads;
 }
 
-Sample sample_of(const Mechanics& law, const SolvedSlide& slide, double normal_force) {
+Sample sample_of(const Mechanics& law, const SolvedMotion& motion, double normal_force) {
   Sample sample;
   sample.normal_force = normal_force;
   sample.radius = law.experiment.radius;
-  sample.rms_roughness = slide.substrate_rms.value_or(0);
+  sample.rms_roughness = motion.substrate_rms.value_or(0);
   return sample;
 }
 
-/// The fully developed friction of a law [N].
-double steady_friction(const Mechanics& law, const SolvedSlide& slide, double normal_force) {
+/// The fully developed resistance of a law [N].
+double steady_resistance(const Mechanics& law, const SolvedMotion& motion, double normal_force) {
   Samples samples;
-  samples.list = {sample_of(law, slide, normal_force)};
+  samples.list = {sample_of(law, motion, normal_force)};
   SampleRun run;
   run.end = 1;
   run.independent_rows = true;
@@ -133,10 +133,11 @@ double steady_friction(const Mechanics& law, const SolvedSlide& slide, double no
 }
 
 /// Through the differences D(f) between solution and law at up to three loads: a share of the load, of the
-/// contact's area and a force; of two loads without the force, of one the share of the load. Exact where
-/// local friction, a shear strength or attraction differ.
+/// contact's area, or of rolling of its radius, and a force; of two loads without the force, of one the share
+/// of the load. Exact where local friction, a shear strength, attraction or its hysteresis differ.
 class InterpolatedDifference {
  public:
+  explicit InterpolatedDifference(Motion motion) : exponent_((motion == Motion::rolling ? 1 : 2) / 3.0) {}
   void add(double force, double difference) {
     forces_.push_back(force);
     differences_.push_back(difference);
@@ -162,28 +163,30 @@ class InterpolatedDifference {
  private:
   std::array<double, 3> terms_at(double force) const {
     const double relative = force / forces_.front();
-    return {relative, std::cbrt(relative * relative), 1};
+    return {relative, std::pow(relative, exponent_), 1};
   }
+  double exponent_;  ///< of the contact's area or radius over the load
   std::vector<double> forces_, differences_;
   Eigen::VectorXd shares_;
 };
 
-/// What the law's friction is to be multiplied by on one surface.
-Factors limit_factors(const std::vector<SolvedSlide>& slides, const Mechanics& reduced) {
-  InterpolatedDifference difference;
+/// What the law's resistance is to be multiplied by on one surface.
+Factors limit_factors(const std::vector<SolvedMotion>& motions, const Mechanics& reduced) {
+  InterpolatedDifference difference(reduced.experiment.mode);
   double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const SolvedSlide& slide : slides) {
-    difference.add(slide.normal_force, slide.friction - steady_friction(reduced, slide, slide.normal_force));
-    least = std::min(least, slide.normal_force), most = std::max(most, slide.normal_force);
+  for (const SolvedMotion& motion : motions) {
+    difference.add(motion.normal_force,
+                   motion.resistance - steady_resistance(reduced, motion, motion.normal_force));
+    least = std::min(least, motion.normal_force), most = std::max(most, motion.normal_force);
   }
   Factors factors;
-  if (slides.empty()) return factors;
+  if (motions.empty()) return factors;
   difference.solve();
   constexpr int parts = 32;
   const int count = most > least ? parts : 0;
   for (int i = 0; i <= count; ++i) {
     const double force = count == 0 ? most : least * std::pow(most / least, static_cast<double>(i) / parts),
-                 by_law = steady_friction(reduced, slides.front(), force);
+                 by_law = steady_resistance(reduced, motions.front(), force);
     if (by_law > 0) factors.add(force, 1 + difference.at(force) / by_law);
   }
   return factors;
@@ -192,10 +195,6 @@ Factors limit_factors(const std::vector<SolvedSlide>& slides, const Mechanics& r
 double lateral_stiffness(const Experiment& e, double normal_force) {
   return 8 * reduced_shear_modulus(e.particle, e.substrate) * e.hertz().contact_radius(normal_force);
 }
-
-}  // namespace
-
-namespace {
 
 /// Those that are solved, of one surface.
 std::vector<RecordedLoad> chosen_loads(std::vector<RecordedLoad> loads) {
@@ -211,53 +210,77 @@ std::vector<RecordedLoad> chosen_loads(std::vector<RecordedLoad> loads) {
   return loads;
 }
 
+/// On which all of a contact slips. Mindlin (1949): gross slip begins at 3 mu f/(16 G* a) = 1.5 mu f/k_l.
+double sliding_path(const Experiment& e, const RecordedLoad& load, bool is_smooth) {
+  constexpr double of_onset = 4, of_radius = 1;
+  const double force = load.normal_force, friction = std::max(e.case_friction * force, load.resistance),
+               path = of_onset * 1.5 * friction / lateral_stiffness(e, force);
+  // Asperities that climb and fall average out over a path that renews them.
+  return is_smooth ? path : std::max(path, of_radius * e.hertz().contact_radius(force));
+}
+
+/// The edge that opens has been in contact after one radius; two diameters of steady path follow, as in the
+/// default of a case.
+double rolling_path(const Experiment& e, const RecordedLoad& load) {
+  constexpr double of_radius = 5;
+  return of_radius * e.hertz().contact_radius(load.normal_force);
+}
+
 }  // namespace
 
-std::vector<SlidingProtocol> sliding_protocols_of(const FitProblem& problem, bool is_smooth) {
+std::vector<MotionProtocol> motion_protocols_of(const FitProblem& problem, bool is_smooth) {
   const Experiment& e = problem.experiment;
-  // Mindlin (1949): gross slip begins at a path of 3 mu f/(16 G* a) = 1.5 mu f/k_l.
-  constexpr double of_onset = 4, of_radius = 1;
-  std::vector<SlidingProtocol> protocols;
+  for (const Sample& sample : problem.samples.list)
+    if (sample.rail_angle != 0)
+      throw InputError(
+          "the recording rolls in a groove, and a case has one contact on a plane; leave out --case");
+  std::vector<MotionProtocol> protocols;
   for (const auto& rms : recorded_surfaces(problem.samples))
     for (const RecordedLoad& load : chosen_loads(recorded_loads(problem.samples, e.largest_force, rms))) {
-      const double force = load.normal_force, friction = std::max(e.case_friction * force, load.friction);
-      double path = of_onset * 1.5 * friction / lateral_stiffness(e, force);
-      // Asperities that climb and fall average out over a path that renews them.
-      if (!is_smooth) path = std::max(path, of_radius * e.hertz().contact_radius(force));
-      protocols.push_back({force, path, rms});
+      const double path =
+          e.mode == Motion::rolling ? rolling_path(e, load) : sliding_path(e, load, is_smooth);
+      protocols.push_back({e.mode, load.normal_force, path, rms});
     }
   if (protocols.empty())
-    throw InputError("no sample of the recording slides under a load, so that no case can be solved for it");
+    throw InputError("no sample of the recording motions under a load, so that no case can be solved for it");
   return protocols;
 }
 
-double friction_error(const std::vector<SolvedSlide>& slides) {
+double resistance_error(const std::vector<SolvedMotion>& motions) {
   double largest = 0;
-  for (const SolvedSlide& slide : slides)
-    if (slide.friction > 0) largest = std::max(largest, slide.friction_error / slide.friction);
+  for (const SolvedMotion& motion : motions)
+    if (motion.resistance > 0) largest = std::max(largest, motion.resistance_error / motion.resistance);
   return largest;
 }
 
-std::shared_ptr<const BranchCorrection> friction_difference_to(const std::vector<SolvedSlide>& slides,
-                                                               const Mechanics& reduced) {
-  auto difference = std::make_shared<FrictionDifference>();
-  for (std::size_t from = 0, to = 0; from < slides.size(); from = to) {
-    while (to < slides.size() && slides[to].substrate_rms == slides[from].substrate_rms) ++to;
-    const std::vector<SolvedSlide> of_surface(slides.begin() + static_cast<std::ptrdiff_t>(from),
-                                              slides.begin() + static_cast<std::ptrdiff_t>(to));
-    SurfaceFactors factors{slides[from].substrate_rms, limit_factors(of_surface, reduced), {}};
-    for (const SolvedSlide& slide : of_surface) {
-      if (!(slide.lateral_stiffness > 0)) continue;
+double rolling_coefficient(const std::vector<SolvedMotion>& motions, const Mechanics& attraction) {
+  constexpr double least_part = 1e-3;  // of the resistance: a law of a share of the load needs one
+  const SolvedMotion& largest = motions.front();
+  const double by_attraction = steady_resistance(attraction, largest, largest.normal_force) -
+                               attraction.lateral.coefficient * largest.normal_force;
+  return std::max(largest.resistance - by_attraction, least_part * largest.resistance) / largest.normal_force;
+}
+
+std::shared_ptr<const BranchCorrection> resistance_difference_to(const std::vector<SolvedMotion>& motions,
+                                                                 const Mechanics& reduced) {
+  auto difference = std::make_shared<ResistanceDifference>();
+  for (std::size_t from = 0, to = 0; from < motions.size(); from = to) {
+    while (to < motions.size() && motions[to].substrate_rms == motions[from].substrate_rms) ++to;
+    const std::vector<SolvedMotion> of_surface(motions.begin() + static_cast<std::ptrdiff_t>(from),
+                                               motions.begin() + static_cast<std::ptrdiff_t>(to));
+    SurfaceFactors factors{motions[from].substrate_rms, limit_factors(of_surface, reduced), {}};
+    for (const SolvedMotion& motion : of_surface) {
+      if (!(motion.lateral_stiffness > 0)) continue;
       difference->relative_stiffness_error = std::max(
-          difference->relative_stiffness_error, slide.lateral_stiffness_error / slide.lateral_stiffness);
+          difference->relative_stiffness_error, motion.lateral_stiffness_error / motion.lateral_stiffness);
       const double pressed =
-          slide.normal_force + offset_at(reduced.lateral, sample_of(reduced, slide, slide.normal_force));
-      factors.stiffness.add(slide.normal_force,
-                            slide.lateral_stiffness / lateral_stiffness(reduced.experiment, pressed));
+          motion.normal_force + offset_at(reduced.lateral, sample_of(reduced, motion, motion.normal_force));
+      factors.stiffness.add(motion.normal_force,
+                            motion.lateral_stiffness / lateral_stiffness(reduced.experiment, pressed));
     }
     difference->surfaces.push_back(std::move(factors));
   }
-  difference->relative_error = friction_error(slides);
+  difference->relative_error = resistance_error(motions);
   return difference;
 }
 

@@ -1,0 +1,117 @@
+// A case that slides or rolls as it was recorded.
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/printed.h"
+#include "core/quantity.h"
+#include "diagnosis/mapping/changes_in_words.h"
+#include "diagnosis/mapping/solved_case_mapping.h"
+
+namespace asperity {
+namespace {
+
+/// A case has one particle, and one surface unless its RMS roughness can follow the recording.
+void refuse_several_surfaces(const Recording& recording, double substrate_rms) {
+  std::vector<const char*> fixed{"radius", "humidity"};
+  if (!(substrate_rms > 0)) fixed.push_back("rms_roughness");
+  for (const char* channel : fixed) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const auto& table : recording.tables) {
+      if (!table.has(channel)) continue;
+      for (const double value : table.column(channel)) {
+        if (!std::isfinite(value)) continue;
+        least = std::min(least, value), most = std::max(most, value);
+      }
+    }
+    constexpr double rounding = 1e-3;
+    if (most - least > rounding * std::abs(most))
+      throw InputError(std::string("the recording varies ") + channel +
+                       ", and a case has one; diagnose each part with a case of its own, " +
+                       (channel == std::string("rms_roughness")
+                            ? "give it Substrate/Topography = generated(...), which follows, "
+                            : "") +
+                       "or leave out --case");
+  }
+}
+
+/// The local friction that the case states, which is not fitted before physics is added.
+void take_friction(SimulationChoice& simulation, double of_case, std::vector<std::string>& remarks) {
+  if (!(of_case > 0))
+    throw InputError(
+        "--case needs a law of friction with a coefficient for a recording of sliding; give the case "
+        "Interface/Friction coefficient");
+  const auto given = simulation.parameters.find("sliding_friction");
+  constexpr double rounding = 1e-3;
+  if (given != simulation.parameters.end() &&
+      (given->second.calibrate || std::abs(given->second.value - of_case) > rounding * of_case))
+    remarks.push_back(
+        printed("local friction is the case's, %.4g, and not what the recording says of sliding_friction; "
+                "where it is another, friction_coefficient is named",
+                of_case));
+  simulation.parameters["sliding_friction"] = {of_case, false};
+}
+
+/// No law of rolling is an input of a case: it rolls as its bodies and their interface let it.
+void leave_rolling_to_case(SimulationChoice& simulation, std::vector<std::string>& remarks) {
+  constexpr const char* name = "rolling_friction";
+  constexpr double until_solved = 1e-3;
+  const auto given = simulation.parameters.find(name);
+  if (given != simulation.parameters.end() && !given->second.calibrate)
+    remarks.push_back(
+        printed("the case rolls as it is solved, and not by rolling_friction = %.4g", given->second.value));
+  simulation.parameters[name] = {until_solved, false};
+  remarks.push_back(
+      "the case is one contact that rolls; of a sphere under a plate, the lateral force is the mean of two "
+      "contacts, and the case stands for both");
+}
+
+}  // namespace
+
+void SolvedCaseMapping::prepare_lateral(Recording& recording, const SimulatedBodies& bodies) {
+  refuse_several_surfaces(recording, bodies.substrate_rms);
+  is_rolling_ = recording.mode == Motion::rolling;
+  if (is_rolling_)
+    leave_rolling_to_case(recording.simulation, remarks_);
+  else
+    take_friction(recording.simulation, bodies.friction_coefficient, remarks_);
+}
+
+void SolvedCaseMapping::correct_lateral(FitProblem& problem) {
+  motions_ = motion_protocols_of(problem, problem.experiment.case_is_smooth);
+  if (motions_.front().substrate_rms)
+    remarks_.push_back(
+        "the recording is of several surfaces: the case is solved with its substrate scaled to the RMS "
+        "roughness of each, spectrum and seed as they are");
+  const auto moved = move(problem.experiment, nullptr);
+  before_ = moved.front().source;
+  error_ = resistance_error(moved);
+  const auto law = [&] { return Explanation(problem.experiment, problem.choice, {}).mechanics({}); };
+  if (problem.experiment.mode == Motion::rolling)
+    problem.choice.parameters["rolling_friction"] = {rolling_coefficient(moved, law()), false};
+  problem.correction = resistance_difference_to(moved, law());
+}
+
+std::vector<SolvedMotion> SolvedCaseMapping::move(const Experiment& experiment, const ModelFit* fit) {
+  std::vector<SolvedMotion> all;
+  for (std::size_t from = 0, to = 0; from < motions_.size(); from = to) {
+    const std::optional<double> rms = motions_[from].substrate_rms;
+    Experiment of_surface = experiment;
+    if (rms) of_surface.case_rms = *rms;
+    std::string loads;
+    std::vector<MotionProtocol> protocols;
+    for (; to < motions_.size() && motions_[to].substrate_rms == rms; ++to) {
+      protocols.push_back(motions_[to]);
+      loads += (loads.empty() ? "" : ", ") + format_quantity(motions_[to].normal_force, Dimension::force);
+    }
+    const auto changes = fit ? changes_of(of_surface, *fit) : std::vector<CaseChange>();
+    say(name_of(experiment.mode) + " the case, " + in_words(changes) +
+        (rms ? ", on " + format_quantity(*rms, Dimension::length) + " RMS" : "") + ", under " + loads);
+    const auto moved = model_.move(changes, protocols, !fit);
+    all.insert(all.end(), moved.begin(), moved.end());
+  }
+  solves_ += static_cast<int>(all.size());
+  return all;
+}
+
+}  // namespace asperity
