@@ -62,7 +62,8 @@ void drive(Settings& settings, const MotionProtocol& protocol) {
   set_entry(settings, "Experiment/Control", "force");
   set_entry(settings, "Experiment/Normal load", printed("%.6g N", protocol.normal_force));
   set_entry(settings, "Experiment/Normal approach", "0 m");
-  set_entry(settings, "Experiment/Distance", printed("%.4g m", protocol.path));
+  if (protocol.motion != Motion::torsion)
+    set_entry(settings, "Experiment/Distance", printed("%.4g m", protocol.path));
   for (const char* back : {"Reverse", "Unload"})
     set_entry(settings, std::string("Experiment/") + back, "false");
   set_entry(settings, "Experiment/Return distance", "0 m");

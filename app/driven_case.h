@@ -12,7 +12,7 @@ namespace asperity {
 void set_entry(Settings& settings, const std::string& path, const std::string& value);
 /// The case pressed to another load, or approach, and back.
 void drive(Settings& settings, const LoadingProtocol& protocol);
-/// The case slid or rolled at a constant load from rest, in one direction.
+/// The case slid, rolled or spun at a constant load from rest, in one direction.
 void drive(Settings& settings, const MotionProtocol& protocol);
 
 }  // namespace asperity

@@ -55,10 +55,10 @@ FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<s
   input_ = case_from_settings(given, file);
   settings_ = complete_settings(given, file);
   const Motion type = input_.experiment.type;
-  if (type != Motion::normal && type != Motion::sliding && type != Motion::rolling)
+  if (type == Motion::program)
     throw InputError(file.string() + ": Experiment/Type is " + name_of(type) +
-                     ", and --case takes cases of normal contact, of sliding and of rolling so far; set Type "
-                     "= normal");
+                     ", and --case takes cases of one motion, which it drives as was recorded; set Type = "
+                     "normal");
 }
 
 void FiniteElementModel::refuse_for_normal_recordings() const {

@@ -45,6 +45,18 @@ Resistance rolling_resistance(const SolvedCase& solved) {
   return resistance;
 }
 
+Resistance torsion_resistance(const SolvedCase& solved) {
+  const EffectiveNumber moment = solved.effective("torsion_moment");
+  const double radius = solved.hertz().radius;
+  return {moment.value / radius, moment.sd / radius};
+}
+
+Resistance resistance_of(const SolvedCase& solved, const MotionProtocol& protocol) {
+  if (protocol.motion == Motion::rolling) return rolling_resistance(solved);
+  if (protocol.motion == Motion::torsion) return torsion_resistance(solved);
+  return sliding_resistance(solved, protocol.normal_force);
+}
+
 }  // namespace
 
 SolvedMotion motion_of(const fs::path& folder, const MotionProtocol& protocol) {
@@ -54,9 +66,7 @@ SolvedMotion motion_of(const fs::path& folder, const MotionProtocol& protocol) {
   SolvedMotion motion;
   motion.normal_force = protocol.normal_force;
   motion.substrate_rms = protocol.substrate_rms;
-  const Resistance resistance = protocol.motion == Motion::rolling
-                                    ? rolling_resistance(solved)
-                                    : sliding_resistance(solved, protocol.normal_force);
+  const Resistance resistance = resistance_of(solved, protocol);
   motion.resistance = resistance.value;
   motion.resistance_error = resistance.sd;
   motion.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;

@@ -36,7 +36,7 @@ class AdhesionOffset : public Effect {
              attracts ? of_case.front() : std::numeric_limits<double>::quiet_NaN()}};
   }
   EntersBy enters_by(const Experiment& e) const override {
-    return e.mode == Motion::sliding ? EntersBy::finite_elements : EntersBy::reduced_law_only;
+    return e.is_lateral() ? EntersBy::finite_elements : EntersBy::reduced_law_only;
   }
   /// One force beyond the contact. Where the case gives a range of attraction, its work of adhesion.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
@@ -44,7 +44,7 @@ class AdhesionOffset : public Effect {
     return {{"Interface/Work of adhesion", p[0] / force_per_work(e, e.typical_force), "J/m^2"}};
   }
   std::vector<double> values_in_case(const Experiment& e) const override {
-    if (e.mode != Motion::sliding) return {};
+    if (e.mode != Motion::sliding && e.mode != Motion::torsion) return {};
     const double force = e.case_adhesion_range > 0
                              ? e.case_work_of_adhesion * force_per_work(e, e.typical_force)
                              : e.case_attraction_force;

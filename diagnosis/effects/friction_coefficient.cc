@@ -2,6 +2,7 @@
 // Reduced laws have their coefficient fitted before physics is added.
 #include <algorithm>
 
+#include "dem_compare/laws/hertzian_torsion.h"
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -17,8 +18,8 @@ class FrictionCoefficient : public Effect {
         "Coulomb 1785",
         "Friction of the interface itself, an input of the case that only an experiment tells.",
         EffectKind::contact,
-        {Motion::sliding},
-        {"sliding_friction"},
+        {Motion::sliding, Motion::torsion},
+        {"sliding_friction", "torsion_friction"},
         {"coefficient"},
         0};
     return d;
@@ -26,8 +27,7 @@ class FrictionCoefficient : public Effect {
   bool is_another_value() const override { return true; }
   bool can_show(const Experiment& e) const override { return e.by_finite_elements; }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    const double recorded = e.largest_response / e.largest_force,
-                 of_case = e.case_friction > 0 ? e.case_friction : recorded;
+    const double recorded = local_friction(e), of_case = e.case_friction > 0 ? e.case_friction : recorded;
     return {{"coefficient",
              "",
              "local mu",
@@ -42,7 +42,20 @@ class FrictionCoefficient : public Effect {
   std::vector<CaseChange> case_changes(const Experiment&, const double* p) const override {
     return {{"Interface/Friction coefficient", p[0], ""}};
   }
-  void assemble(Mechanics& m, const double* p) const override { m.lateral.coefficient = p[0]; }
+  void assemble(Mechanics& m, const double* p) const override {
+    m.lateral.coefficient = p[0] * per_local(m.experiment);
+  }
+
+ private:
+  /// Coefficient of the law, over the radius of the contact in torsion, for local friction of 1.
+  static double per_local(const Experiment& e) {
+    return e.mode == Motion::torsion ? full_slip_torsion_coefficient(1) : 1;
+  }
+  /// That with which the recorded resistance would be the whole of it.
+  static double local_friction(const Experiment& e) {
+    const double lever = e.mode == Motion::torsion ? e.hertz().contact_radius(e.largest_force) / e.radius : 1;
+    return e.largest_response / (e.largest_force * lever * per_local(e));
+  }
 };
 
 }  // namespace

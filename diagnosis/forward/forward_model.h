@@ -41,21 +41,21 @@ struct SolvedResponse {
   bool is_out_of_time = false;       ///< it ended early because it took too long
 };
 
-/// How a contact that was pressed is slid or rolled: at a constant normal force, from rest.
+/// How a contact that was pressed is slid, rolled or spun: at a constant normal force, from rest.
 struct MotionProtocol {
-  Motion motion = Motion::sliding;  ///< or rolling
+  Motion motion = Motion::sliding;  ///< or rolling, torsion
   double normal_force = 0;          ///< [N]
-  double path = 0;                  ///< path length [m]
+  double path = 0;                  ///< path length [m]; 0 of torsion: as the case gives its angle
   /// RMS roughness that the substrate's generated surface is scaled to [m]; none: as the case has it.
   std::optional<double> substrate_rms;
 };
 
-/// What one case that was slid or rolled says of its steady motion.
+/// What one case that was slid, rolled or spun says of its steady motion.
 struct SolvedMotion {
   double normal_force = 0;              ///< [N]
   std::optional<double> substrate_rms;  ///< as asked for [m]
   /// Steady lateral force; of rolling that at the particle's centre: the energy lost per angle over its
-  /// radius [N].
+  /// radius; of torsion the moment over it [N].
   double resistance = 0;
   double resistance_error = 0;   ///< its standard deviation, as stated: along the path, of mesh and steps [N]
   double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: it is not stated
@@ -115,8 +115,8 @@ class ForwardModel {
   /// The case as it is on other realisations of its surfaces, up to a force [N]: an experiment has one of its
   /// own. None where no surface is generated.
   virtual OtherSurfaces on_other_surfaces(double) { return {}; }
-  /// Slides or rolls the case with these changes under each of the protocols, likewise; `must_end`: whatever
-  /// it takes.
+  /// Slides, rolls or spins the case with these changes under each of the protocols, likewise; `must_end`:
+  /// whatever it takes.
   virtual std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,
                                          const std::vector<MotionProtocol>& protocols, bool must_end) = 0;
 };

@@ -1,10 +1,11 @@
-// A case that slides or rolls as it was recorded.
+// A case that slides, rolls or spins as it was recorded.
 #include <cmath>
 #include <limits>
 
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/quantity.h"
+#include "dem_compare/laws/hertzian_torsion.h"
 #include "diagnosis/mapping/changes_in_words.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
 
@@ -36,11 +37,16 @@ void refuse_several_surfaces(const Recording& recording, double substrate_rms) {
 }
 
 /// The local friction that the case states, which is not fitted before physics is added.
-void take_friction(SimulationChoice& simulation, double of_case, std::vector<std::string>& remarks) {
+void take_friction(Recording& recording, double of_case, std::vector<std::string>& remarks) {
+  SimulationChoice& simulation = recording.simulation;
   if (!(of_case > 0))
-    throw InputError(
-        "--case needs a law of friction with a coefficient for a recording of sliding; give the case "
-        "Interface/Friction coefficient");
+    throw InputError("--case needs a law of friction with a coefficient for a recording of " +
+                     name_of(recording.mode) + "; give the case Interface/Friction coefficient");
+  if (recording.mode == Motion::torsion) {
+    simulation.parameters["torsion_friction"] = {full_slip_torsion_coefficient(of_case), false};
+    remarks.push_back(printed("the case resists torsion as its local friction, %.4g, is solved", of_case));
+    return;
+  }
   const auto given = simulation.parameters.find("sliding_friction");
   constexpr double rounding = 1e-3;
   if (given != simulation.parameters.end() &&
@@ -70,11 +76,11 @@ void leave_rolling_to_case(SimulationChoice& simulation, std::vector<std::string
 
 void SolvedCaseMapping::prepare_lateral(Recording& recording, const SimulatedBodies& bodies) {
   refuse_several_surfaces(recording, bodies.substrate_rms);
-  is_rolling_ = recording.mode == Motion::rolling;
-  if (is_rolling_)
+  resistance_ = recording.mode == Motion::sliding ? "friction" : name_of(recording.mode) + " resistance";
+  if (recording.mode == Motion::rolling)
     leave_rolling_to_case(recording.simulation, remarks_);
   else
-    take_friction(recording.simulation, bodies.friction_coefficient, remarks_);
+    take_friction(recording, bodies.friction_coefficient, remarks_);
 }
 
 void SolvedCaseMapping::correct_lateral(FitProblem& problem) {

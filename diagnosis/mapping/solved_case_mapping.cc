@@ -64,11 +64,11 @@ void take(RecordedBody& recorded, const ElasticBody& of_case, const std::string&
 }  // namespace
 
 Recording SolvedCaseMapping::with_bodies_of_case(const Recording& recording) {
-  is_lateral_ = recording.mode == Motion::sliding || recording.mode == Motion::rolling;
-  if (recording.mode != Motion::normal && !is_lateral_)
+  if (recording.mode == Motion::rail)
     throw InputError(
-        "--case takes recordings of normal contact, of sliding and of rolling so far, and this one is of " +
-        name_of(recording.mode) + "; leave out --case to diagnose it by reduced laws");
+        "a case has one contact on a plane, and this recording is of a rail, in which several contacts roll "
+        "and spin; leave out --case to diagnose it by reduced laws");
+  is_lateral_ = recording.mode != Motion::normal;
   const SimulatedBodies bodies = model_.bodies();
   Recording changed = recording;
   if (is_lateral_) {
@@ -187,7 +187,7 @@ SolvedSimulation SolvedCaseMapping::described(const ModelFit* chosen) const {
   s.before = before_;
   s.solves = solves_;
   s.error = error_;
-  if (is_lateral_) s.error_of = is_rolling_ ? "rolling resistance" : "friction";
+  if (is_lateral_) s.error_of = resistance_;
   if (!chosen) return s;
   for (const auto& solution : after_)
     if (solution.effects == chosen->explanation->name()) s.after = solution.source;

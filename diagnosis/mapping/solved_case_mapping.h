@@ -23,8 +23,7 @@ class SolvedCaseMapping {
       : model_(model), progress_(std::move(progress)) {}
 
   /// The recording with the bodies of the case and its friction; what was recorded of them and differs goes
-  /// to remarks(). Throws InputError where it is of another motion than normal, sliding or rolling, or of
-  /// several surfaces.
+  /// to remarks(). Throws InputError where it is of a rail, or of several surfaces that no case has.
   Recording with_bodies_of_case(const Recording& recording);
   /// Solves the case as it is.
   void correct(FitProblem& problem);
@@ -79,11 +78,11 @@ class SolvedCaseMapping {
   };
   SolvedSet solved_set(const FitProblem& problem, const ModelFit& fit, const std::vector<double>& expected,
                        bool may_begin_again);
-  /// Slides or rolls over each of the recorded surfaces with the changes that the fit has on it; null: with
-  /// none.
-  /// The recording's law is the case's own; refuses one of several surfaces.
+  /// The recording's law is the case's own. Throws InputError for one of several surfaces.
   void prepare_lateral(Recording& recording, const SimulatedBodies& bodies);
   void correct_lateral(FitProblem& problem);
+  /// Slides, rolls or spins on each of the recorded surfaces with the changes that the fit has on it; null:
+  /// with none.
   std::vector<SolvedMotion> move(const Experiment& experiment, const ModelFit* fit);
   static std::vector<CaseChange> changes_of(const Experiment& experiment, const ModelFit& fit);
   /// One solution for each of the recording's protocols.
@@ -115,12 +114,13 @@ class SolvedCaseMapping {
   ForwardModel& model_;
   std::function<void(const std::string&)> progress_;
   RecordedProtocols protocols_;                                      ///< of normal contact
-  std::vector<MotionProtocol> motions_;                              ///< of sliding and rolling
+  std::vector<MotionProtocol> motions_;                              ///< of sliding, rolling and torsion
   std::vector<std::function<double(double force)>> surface_errors_;  ///< of normal contact (mechanics.h)
   std::string before_;
   std::vector<Solution> after_;
   double error_ = 0;  ///< of the case as it is: of its approach [m], or of resistance as a part of it [-]
-  bool is_lateral_ = false, is_rolling_ = false;  ///< slid or rolled
+  bool is_lateral_ = false;   ///< slid, rolled or spun
+  std::string resistance_{};  ///< what such a motion tells: "friction", "rolling resistance", ...
   int solves_ = 0;
   ModelFit best_measurement_;  ///< the best set that needs no solution: what others have to be better than
   double overdispersion_ = 1;  ///< chi^2 of the best fit per sample [-]

@@ -133,11 +133,20 @@ double steady_resistance(const Mechanics& law, const SolvedMotion& motion, doubl
 }
 
 /// Through the differences D(f) between solution and law at up to three loads: a share of the load, of the
-/// contact's area, or of rolling of its radius, and a force; of two loads without the force, of one the share
-/// of the load. Exact where local friction, a shear strength, attraction or its hysteresis differ.
+/// contact's area, or of rolling of its radius, and a force; of torsion of load times radius, of the load,
+/// and a moment. Of two loads without the last, of one the first alone. Exact where local friction, a shear
+/// strength, attraction or its hysteresis differ.
 class InterpolatedDifference {
  public:
-  explicit InterpolatedDifference(Motion motion) : exponent_((motion == Motion::rolling ? 1 : 2) / 3.0) {}
+  explicit InterpolatedDifference(Motion motion) {
+    constexpr double load = 1, radius = 1.0 / 3;  // exponents of the load
+    if (motion == Motion::rolling)
+      exponents_ = {load, radius, 0};
+    else if (motion == Motion::torsion)
+      exponents_ = {load + radius, load, 0};
+    else
+      exponents_ = {load, 2 * radius, 0};
+  }
   void add(double force, double difference) {
     forces_.push_back(force);
     differences_.push_back(difference);
@@ -163,9 +172,10 @@ class InterpolatedDifference {
  private:
   std::array<double, 3> terms_at(double force) const {
     const double relative = force / forces_.front();
-    return {relative, std::pow(relative, exponent_), 1};
+    return {std::pow(relative, exponents_[0]), std::pow(relative, exponents_[1]),
+            std::pow(relative, exponents_[2])};
   }
-  double exponent_;  ///< of the contact's area or radius over the load
+  std::array<double, 3> exponents_{};  ///< of the load
   std::vector<double> forces_, differences_;
   Eigen::VectorXd shares_;
 };
@@ -237,8 +247,9 @@ std::vector<MotionProtocol> motion_protocols_of(const FitProblem& problem, bool 
   std::vector<MotionProtocol> protocols;
   for (const auto& rms : recorded_surfaces(problem.samples))
     for (const RecordedLoad& load : chosen_loads(recorded_loads(problem.samples, e.largest_force, rms))) {
-      const double path =
-          e.mode == Motion::rolling ? rolling_path(e, load) : sliding_path(e, load, is_smooth);
+      double path = 0;
+      if (e.mode == Motion::sliding) path = sliding_path(e, load, is_smooth);
+      if (e.mode == Motion::rolling) path = rolling_path(e, load);
       protocols.push_back({e.mode, load.normal_force, path, rms});
     }
   if (protocols.empty())

@@ -1,12 +1,13 @@
-// Sliding and rolling by finite elements beside the reduced law: at a few of the recorded loads the case is
-// pressed and slid from rest until all of it slips, or rolled until its resistance is steady, and the law is
-// corrected by
+// Sliding, rolling and torsion by finite elements beside the reduced law: at a few of the recorded loads the
+// case is pressed and slid or spun from rest until all of it slips, or rolled until its resistance is steady,
+// and the law is corrected by
 //   T(f; p) = T_reduced(f; p) [1 + D(f)/T_reduced(f; p_k)],  D = T_FE(f; p_k) - T_reduced(f; p_k),
 //   k_l(f) = k_reduced(f) [k_FE/k_reduced](f),
-// D as a share of load, contact area (of rolling: contact radius) and a force between these loads, the ratio
-// straight in ln f (output space mapping, Echeverría & Hemker 2005). Where the recording varies the roughness
-// of the substrate, each surface is solved. A recorded sphere that rolls under a plate has two contacts, and
-// the force is the mean of both (lateral_limit.h): the case stands for either. SI units.
+// D as a share of load, contact area (of rolling: contact radius, of torsion: radius times load) and a force
+// between these loads, the ratio straight in ln f (output space mapping, Echeverría & Hemker 2005). Where the
+// recording varies the roughness of the substrate, each surface is solved. A recorded sphere that rolls under
+// a plate has two contacts, and the force is the mean of both (lateral_limit.h): the case stands for either.
+// SI units.
 #pragma once
 
 #include <memory>

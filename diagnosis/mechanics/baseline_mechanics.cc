@@ -33,6 +33,8 @@ Mechanics baseline_mechanics(const Experiment& experiment, const SimulationChoic
       break;
     case Motion::torsion:
       m.lateral.coefficient = value_of(choice, "torsion_friction");
+      // Local friction that slips everywhere acts over the contact's radius.
+      if (experiment.by_finite_elements) m.lateral.length = LengthScale::contact_radius;
       break;
     case Motion::program:
       break;

@@ -56,7 +56,9 @@ struct Experiment {
   double case_rms = 0;
 
   /// Of motions along the surface that a case of finite elements can be set against.
-  bool is_lateral() const { return mode == Motion::sliding || mode == Motion::rolling; }
+  bool is_lateral() const {
+    return mode == Motion::sliding || mode == Motion::rolling || mode == Motion::torsion;
+  }
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }
   Hertz hertz() const { return {reduced_modulus(), radius}; }

@@ -307,15 +307,6 @@ TEST(SolvedCase_behaviour, what_is_solved_in_part_is_judged_on_that_part_and_sai
   EXPECT_TRUE(says(yielding, "it took too long"));
 }
 
-TEST(SolvedCase_behaviour, other_motions_are_refused) {
-  Recording recording = pressed(force_of_hertz, 1e-9);
-  recording.mode = Motion::torsion;
-  StandIn simulation;
-  EXPECT_EQ(message_of<InputError>([&] { diagnosed(recording, &simulation); }),
-            "--case takes recordings of normal contact, of sliding and of rolling so far, and this one is of "
-            "torsion; leave out --case to diagnose it by reduced laws");
-}
-
 /// Generated surfaces on half-spaces, which follow no layer's law exactly, counted from 0.2 % of the load.
 TEST(SolvedCase_other_code, a_rough_contact_of_half_spaces_is_named_with_its_height_and_its_zero) {
   constexpr double largest = 250e-6;

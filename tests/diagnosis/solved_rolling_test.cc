@@ -176,17 +176,79 @@ TEST(SolvedRolling_behaviour, a_force_that_no_load_changes_is_told_on_surfaces_t
   EXPECT_NEAR(d.left_out[0].parameters[0].value / beside, 1, 0.1);
 }
 
-TEST(SolvedRolling_behaviour, a_groove_and_a_motion_that_no_case_takes_are_refused) {
+/// Local friction summed over rings of Hertz' pressure, which all slip.
+double spun_moment(double friction, double load, double attraction = 0) {
+  const double a = rolled_contact.contact_radius(load), peak = 1.5 * (load + attraction) / (M_PI * a * a);
+  constexpr int rings = 2000;
+  double moment = 0;
+  for (int i = 0; i < rings; ++i) {
+    const double x = (i + 0.5) / rings;
+    moment += friction * peak * std::sqrt(1 - x * x) * 2 * M_PI * x * x * a * a * a / rings;
+  }
+  return moment;
+}
+
+class SpinningStandIn : public RollingStandIn {
+ public:
+  double friction = 0.3;
+  SimulatedBodies bodies() const override {
+    SimulatedBodies b = RollingStandIn::bodies();
+    b.friction_coefficient = friction;
+    b.adhesion_range = 0;
+    return b;
+  }
+  std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,
+                                 const std::vector<MotionProtocol>& protocols, bool) override {
+    double mu = friction, attraction = 0;
+    for (const auto& change : changes) {
+      if (change.entry == "Interface/Friction coefficient") mu = change.value;
+      if (change.entry == "Interface/Attraction force") attraction = change.value;
+    }
+    std::vector<SolvedMotion> motions;
+    for (const auto& protocol : protocols) {
+      EXPECT_EQ(protocol.motion, Motion::torsion);
+      SolvedMotion m;
+      m.normal_force = protocol.normal_force;
+      m.resistance = 1.01 * spun_moment(mu, m.normal_force, attraction) / rolled_radius;
+      m.resistance_error = 0.01 * m.resistance;
+      motions.push_back(m);
+    }
+    return motions;
+  }
+};
+
+TEST(SolvedTorsion_behaviour, local_friction_and_attraction_are_told_from_the_moment) {
+  const auto spun = [](double friction, double attraction) {
+    Recording r = rolled(
+        [&](double f, double) { return 1.01 * spun_moment(friction, f, attraction) / rolled_radius; }, 0.005);
+    r.mode = Motion::torsion;
+    r.indenter.reset();
+    r.simulation.torsion = "constant";
+    return r;
+  };
+  SpinningStandIn stand_in;
+  EXPECT_EQ(diagnosed_rolling(spun(0.3, 0), stand_in).verdict, Verdict::no_mismatch);
+  const Diagnosis rougher = diagnosed_rolling(spun(0.41, 0), stand_in);
+  EXPECT_EQ(rougher.verdict, Verdict::explained) << rougher.in_words;
+  ASSERT_EQ(rougher.left_out.size(), 1u) << rougher.in_words;
+  EXPECT_EQ(rougher.left_out[0].id, "friction_coefficient");
+  EXPECT_NEAR(rougher.left_out[0].parameters[0].value / 0.41, 1, 0.02);
+  const Diagnosis attracted = diagnosed_rolling(spun(0.3, 60 * uN), stand_in);
+  EXPECT_EQ(attracted.verdict, Verdict::explained) << attracted.in_words;
+  ASSERT_EQ(attracted.left_out.size(), 1u) << attracted.in_words;
+  EXPECT_EQ(attracted.left_out[0].id, "adhesion_offset");
+  EXPECT_NEAR(attracted.left_out[0].parameters[0].value / (60 * uN), 1, 0.1);
+}
+
+TEST(SolvedRolling_behaviour, a_groove_and_a_rail_are_refused) {
   RollingStandIn stand_in;
   Recording groove = rolled([](double f, double) { return 1e-3 * f; }, 0.01);
   groove.tables[0].columns["rail_angle"].assign(groove.tables[0].columns["normal_force"].size(), 0.6);
   EXPECT_NE(message_of<InputError>([&] { diagnosed_rolling(groove, stand_in); }).find("rolls in a groove"),
             std::string::npos);
-  Recording spun = rolled([](double f, double) { return 1e-3 * f; }, 0.01);
-  spun.mode = Motion::torsion;
-  EXPECT_NE(message_of<InputError>([&] {
-              diagnosed_rolling(spun, stand_in);
-            }).find("normal contact, of sliding and of rolling"),
+  Recording rail = rolled([](double f, double) { return 1e-3 * f; }, 0.01);
+  rail.mode = Motion::rail;
+  EXPECT_NE(message_of<InputError>([&] { diagnosed_rolling(rail, stand_in); }).find("recording is of a rail"),
             std::string::npos);
 }
 
