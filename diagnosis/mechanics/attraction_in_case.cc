@@ -4,15 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "core/attraction_zone.h"
-
 namespace asperity {
 namespace {
 
 /// Spacing of the case's mesh, or of one that is finer by a power of the root of two and resolves the zone
 /// [m].
-double resolving_spacing(const Experiment& e, double work, double range) {
-  const double enough = attraction_zone(e.reduced_modulus(), work, work / range) / cells_over_attraction_zone;
+double resolving_spacing(const Experiment& e, double work, double range, double cells) {
+  const double enough = attraction_zone(e.reduced_modulus(), work, work / range) / cells;
   double spacing = e.case_spacing;
   while (spacing > enough) spacing /= M_SQRT2;
   return spacing;
@@ -48,10 +46,10 @@ double resolvable_lambda(const Experiment& e, double pull_off, double lambda) {
   return std::min(lambda, std::sqrt(0.75 * unit / (cells_over_attraction_zone * finest)));
 }
 
-std::vector<CaseChange> dugdale_in_case(const Experiment& e, double work, double range) {
+std::vector<CaseChange> dugdale_in_case(const Experiment& e, double work, double range, double cells) {
   std::vector<CaseChange> changes{{"Interface/Work of adhesion", work, "J/m^2"},
                                   {"Interface/Adhesion range", range, "m"}};
-  const double spacing = resolving_spacing(e, work, range);
+  const double spacing = resolving_spacing(e, work, range, cells);
   if (e.by_finite_elements && spacing < e.case_spacing) changes.push_back({spacing_entry, spacing, "m"});
   return changes;
 }

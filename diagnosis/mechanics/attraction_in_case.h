@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/attraction_zone.h"
 #include "dem_compare/laws/maugis_branch.h"
 #include "diagnosis/forward/forward_model.h"
 #include "diagnosis/recording/experiment.h"
@@ -28,7 +29,8 @@ double resolvable_lambda(const Experiment& experiment, double pull_off, double l
 constexpr const char* spacing_entry = "Mesh/Interface spacing";
 
 /// Dugdale's work [J/m^2] and range [m] as entries, and a finer mesh where the case's own does not resolve
-/// the zone.
-std::vector<CaseChange> dugdale_in_case(const Experiment& experiment, double work, double range);
+/// the zone with so many cells.
+std::vector<CaseChange> dugdale_in_case(const Experiment& experiment, double work, double range,
+                                        double cells = cells_over_attraction_zone);
 
 }  // namespace asperity
