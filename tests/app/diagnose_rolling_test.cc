@@ -1,5 +1,5 @@
-// asperity diagnose --case with recordings of rolling and of torsion, as a person calls it: the case is rolled
-// or spun by finite elements under the recorded loads.
+// asperity diagnose --case with recordings of rolling and of torsion, as a person calls it: the case is
+// rolled or spun by finite elements under the recorded loads.
 #include <gtest/gtest.h>
 
 #include <cmath>
