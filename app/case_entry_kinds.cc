@@ -93,10 +93,10 @@ CaseEntry not_physical(CaseEntry entry) {
   return entry;
 }
 
-CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
+CaseEntry flag(std::string section, std::string name, const Member<bool>& member, std::string default_text,
                std::string documentation) {
-  return choice<bool>(std::move(section), std::move(name), std::move(member),
-                      {{"true", true}, {"false", false}}, std::move(default_text), std::move(documentation));
+  return choice<bool>(std::move(section), std::move(name), member, {{"true", true}, {"false", false}},
+                      std::move(default_text), std::move(documentation));
 }
 
 CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,

@@ -60,7 +60,7 @@ CaseEntry law_entry(const std::string& section, const ParameterEntry& parameter,
                     const Member<LawValues>& values);
 
 /// true or false.
-CaseEntry flag(std::string section, std::string name, Member<bool> member, std::string default_text,
+CaseEntry flag(std::string section, std::string name, const Member<bool>& member, std::string default_text,
                std::string documentation);
 
 /// The entry with the mark: how finely something is solved, how or where it is written, not what is solved.

@@ -110,6 +110,8 @@ std::string CorrectedEntry::interval() const {
 }
 
 std::string SolvedSimulation::off_by() const {
+  if (!is_error_of_approach() && error >= 1)
+    return "its " + error_of + " is no more than what the mesh makes of smooth elastic bodies";
   return "its " + error_of + " is off by " +
          (is_error_of_approach() ? format_quantity(error, Dimension::length)
                                  : printed("%.2g %%", 100 * error));
