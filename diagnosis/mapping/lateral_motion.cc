@@ -59,7 +59,8 @@ void take_friction(Recording& recording, double of_case, std::vector<std::string
 }
 
 /// No law of rolling is an input of a case: it rolls as its bodies and their interface let it.
-void leave_rolling_to_case(SimulationChoice& simulation, std::vector<std::string>& remarks) {
+void leave_rolling_to_case(Recording& recording, std::vector<std::string>& remarks) {
+  SimulationChoice& simulation = recording.simulation;
   constexpr const char* name = "rolling_friction";
   constexpr double until_solved = 1e-3;
   const auto given = simulation.parameters.find(name);
@@ -67,9 +68,15 @@ void leave_rolling_to_case(SimulationChoice& simulation, std::vector<std::string
     remarks.push_back(
         printed("the case rolls as it is solved, and not by rolling_friction = %.4g", given->second.value));
   simulation.parameters[name] = {until_solved, false};
+  const std::optional<RecordedBody>& plate = recording.indenter;
+  const bool is_other = plate && (plate->youngs_modulus != recording.substrate.youngs_modulus ||
+                                  plate->poissons_ratio != recording.substrate.poissons_ratio);
   remarks.push_back(
       "the case is one contact that rolls; of a sphere under a plate, the lateral force is the mean of two "
-      "contacts, and the case stands for both");
+      "contacts, and the case stands for both" +
+      std::string(is_other ? ", though the plate is another body than the substrate: half of the resistance "
+                             "is that of a contact which was not solved"
+                           : ""));
 }
 
 }  // namespace
@@ -78,7 +85,7 @@ void SolvedCaseMapping::prepare_lateral(Recording& recording, const SimulatedBod
   refuse_several_surfaces(recording, bodies.substrate_rms);
   resistance_ = recording.mode == Motion::sliding ? "friction" : name_of(recording.mode) + " resistance";
   if (recording.mode == Motion::rolling)
-    leave_rolling_to_case(recording.simulation, remarks_);
+    leave_rolling_to_case(recording, remarks_);
   else
     take_friction(recording, bodies.friction_coefficient, remarks_);
 }

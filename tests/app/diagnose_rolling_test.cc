@@ -44,6 +44,7 @@ std::filesystem::path turned_recording(const TemporaryFolder& folder, const std:
                        {"poissons_ratio", 0.17},
                        {"radius", "8.5 um"}};
   about["substrate"] = {{"material", "silicon"}, {"youngs_modulus", "179 GPa"}, {"poissons_ratio", 0.25}};
+  about["indenter"] = about["substrate"];
   about["tables"] = std::vector<nlohmann::json>{table};
   write_file_atomically(recording / "recording.json", about.dump());
   const double deviation = 0.01 * force(loads.back());
