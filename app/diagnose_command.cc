@@ -79,7 +79,7 @@ CaseOfRecording case_of(const DiagnoseArguments& arguments, const Recording& rec
   of.overrides.insert(of.overrides.end(), arguments.overrides.begin(), arguments.overrides.end());
   if (!study.empty()) {
     of.earlier = SolvedCases(study);
-    if (of.file.empty()) of.file = of.earlier.the_contact();
+    if (of.file.empty()) of.file = of.earlier.the_contact(recording.mode);
   }
   if (of.file.empty() && !of.overrides.empty())
     throw InputError("--set is about a case of finite elements; name it with --case CASE.prm");

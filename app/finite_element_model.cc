@@ -33,6 +33,12 @@ double rms_of_generated(const BodyInput& body) {
   return generated ? generated->spectrum.rms : 0;
 }
 
+SolvedResponse loading_of(SolvedResponse response) {
+  response.displacement.resize(response.peak + 1);
+  response.force.resize(response.peak + 1);
+  return response;
+}
+
 /// Accepted steps of a case that is being solved or was broken off.
 std::size_t steps_in(const fs::path& folder) {
   return fs::exists(folder / "history.csv") ? read_history(folder / "history.csv").size() : 0;
@@ -100,39 +106,65 @@ Study FiniteElementModel::empty_study() const {
   return study;
 }
 
-FiniteElementModel::Asked FiniteElementModel::asked_of(Settings driven,
-                                                       const std::vector<CaseChange>& changes,
-                                                       Study& study) const {
-  StudyCase item;
-  item.settings = std::move(driven);
+template <class Protocol>
+Settings FiniteElementModel::driven_by(const Protocol& protocol,
+                                       const std::vector<CaseChange>& changes) const {
+  Settings driven = settings_;
+  drive(driven, protocol);
   for (const CaseChange& change : changes)
-    set_entry(item.settings, change.entry,
+    set_entry(driven, change.entry,
               printed("%.6g", change.value) + (change.unit.empty() ? "" : " " + change.unit));
-  const CaseInput changed = case_from_settings(item.settings, file_);  // refuses what the case cannot take
+  const CaseInput changed = case_from_settings(driven, file_);  // refuses what the case cannot take
   if (changed.experiment.type == Motion::normal && fem::work_of_adhesion(changed.interface).opening > 0 &&
       changed.interface.adhesion_law != "dugdale")
     throw InputError(file_.string() + ": Interface/Adhesion law is " + changed.interface.adhesion_law +
                      ", and attraction is tried as Dugdale's so far; set it to dugdale");
-  const std::string inputs = inputs_sha256(item.settings, file_);
-  const fs::path earlier = options_.earlier.with_inputs(inputs);
-  constexpr std::size_t enough = 12;
-  item.name = "solve-" + inputs.substr(0, enough);
-  const Asked asked{earlier.empty() ? options_.folder / item.name : earlier, !earlier.empty(), ""};
-  if (earlier.empty()) study.cases.push_back(std::move(item));
-  return asked;
+  return driven;
 }
 
-template <class Protocol>
-std::vector<FiniteElementModel::Asked> FiniteElementModel::asked_of(const std::vector<CaseChange>& changes,
-                                                                    const std::vector<Protocol>& protocols,
-                                                                    Study& study) const {
-  std::vector<Asked> asked;
-  for (const Protocol& protocol : protocols) {
-    Settings driven = settings_;
-    drive(driven, protocol);
-    asked.push_back(asked_of(std::move(driven), changes, study));
+FiniteElementModel::Asked FiniteElementModel::asked_of(const Settings& driven, Study& study) const {
+  const std::string inputs = inputs_sha256(driven, file_);
+  const fs::path earlier = options_.earlier.with_inputs(inputs);
+  if (!earlier.empty()) return {earlier, true, false, ""};
+  constexpr std::size_t enough = 12;
+  StudyCase item;
+  item.settings = driven;
+  item.name = "solve-" + inputs.substr(0, enough);
+  study.cases.push_back(std::move(item));
+  return {options_.folder / study.cases.back().name, false, false, ""};
+}
+
+fs::path FiniteElementModel::pressed_further(const Settings& driven, const LoadingProtocol& protocol) const {
+  if (protocol.unloads || protocol.approach > 0) return {};
+  constexpr double rounding = 1e-3, most = 3;
+  constexpr int least_steps = 6;
+  for (const DrivenCase& known : options_.earlier.of_contact(driven, file_)) {
+    if (known.motion != Motion::normal || known.load < (1 - rounding) * protocol.largest_force ||
+        known.load > most * protocol.largest_force)
+      continue;
+    const SolvedResponse response = response_of(known.folder, "");
+    const auto within = std::count_if(
+        response.force.begin(), response.force.begin() + static_cast<std::ptrdiff_t>(response.peak) + 1,
+        [&](double force) { return force > 0 && force < (1 + rounding) * protocol.largest_force; });
+    if (response.ended_early.empty() && within >= least_steps) return known.folder;
   }
-  return asked;
+  return {};
+}
+
+std::vector<MotionProtocol> FiniteElementModel::solved_motions(Motion motion) {
+  std::vector<MotionProtocol> list;
+  for (const DrivenCase& known : options_.earlier.of_contact(settings_, file_)) {
+    if (known.motion != motion || !(known.load > 0) || known.speed != input_.experiment.speed) continue;
+    const MotionProtocol protocol{motion, known.load, 0, {}, known.folder.string()};
+    try {
+      const SolvedMotion solved = motion_of(known.folder, protocol);
+      if (std::isfinite(solved.resistance) && std::isfinite(solved.resistance_error))
+        list.push_back(protocol);
+    } catch (const WorkError&) {  // it outgrew its mesh
+      continue;
+    }
+  }
+  return list;
 }
 
 std::string FiniteElementModel::out_of_time(double seconds) const {
@@ -163,7 +195,7 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
   // Without the case as it is there is nothing to compare with, whatever it takes.
   if (enough)
     options.reason_to_stop = [&](const fs::path& folder, double seconds) {
-      const std::string late = out_of_time(seconds);
+      std::string late = out_of_time(seconds);
       if (!late.empty()) return late;
       const std::size_t steps = steps_in(folder);
       if (looked_at[folder] == steps) return std::string();
@@ -178,7 +210,12 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
                                                       const EnoughOfIt& enough) {
   refuse_for_normal_recordings();
   Study study = empty_study();
-  std::vector<Asked> asked = asked_of(changes, protocols, study);
+  std::vector<Asked> asked;
+  for (const LoadingProtocol& protocol : protocols) {
+    const Settings driven = driven_by(protocol, changes);
+    const fs::path further = pressed_further(driven, protocol);
+    asked.push_back(further.empty() ? asked_of(driven, study) : Asked{further, true, true, ""});
+  }
   std::vector<std::string> unchosen;
   for (Asked& each : asked) {
     if (each.is_earlier || has_result(each.folder)) continue;
@@ -191,6 +228,7 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
   for (Asked& each : asked) {
     if (each.is_earlier) {
       responses.push_back(response_of(each.folder, ""));
+      if (each.is_pressed_further) responses.back() = loading_of(responses.back());
       continue;
     }
     const CaseProgress& done = progress[next++];
@@ -223,6 +261,7 @@ std::vector<SolvedMotion> FiniteElementModel::move(const std::vector<CaseChange>
     if (is_steady()) continue;
     MotionProtocol further = protocols[i];
     further.path *= longer;
+    further.solved_in.clear();
     motions[i] = move_once(changes, {further}, must_end).front();
     if (!is_steady())
       throw WorkError("'" + motions[i].source +
@@ -236,7 +275,11 @@ std::vector<SolvedMotion> FiniteElementModel::move_once(const std::vector<CaseCh
                                                         const std::vector<MotionProtocol>& protocols,
                                                         bool must_end) {
   Study study = empty_study();
-  const std::vector<Asked> asked = asked_of(changes, protocols, study);
+  std::vector<Asked> asked;
+  for (const MotionProtocol& protocol : protocols)
+    asked.push_back(changes.empty() && !protocol.solved_in.empty()
+                        ? Asked{protocol.solved_in, true, false, ""}
+                        : asked_of(driven_by(protocol, changes), study));
   const EnoughOfIt whole_path = [](const SolvedResponse&) { return std::string(); };
   const std::vector<CaseProgress> progress = run(study, must_end ? nullptr : whole_path, {});
   for (std::size_t i = 0; i < progress.size(); ++i) {

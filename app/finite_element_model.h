@@ -43,6 +43,7 @@ class FiniteElementModel : public ForwardModel {
   OtherSurfaces on_other_surfaces(double largest_force) override {
     return other_surfaces_of(input_, largest_force);
   }
+  std::vector<MotionProtocol> solved_motions(Motion motion) override;
   /// Throws InputError for a change that the case refuses, WorkError where it does not slip as a
   /// whole, or roll steadily.
   std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,
@@ -55,15 +56,16 @@ class FiniteElementModel : public ForwardModel {
   /// A case to be solved, or solved already in `folder`.
   struct Asked {
     std::filesystem::path folder;
-    bool is_earlier = false;
+    bool is_earlier = false, is_pressed_further = false;
     std::string ended_early;  ///< why what is there is enough; empty: it is complete, or to be solved
   };
-  /// The case with these changes under each of the protocols; what is not solved elsewhere is added to
-  /// `study`.
+  /// The case as it is driven; what is not solved elsewhere is added to `study`.
+  Asked asked_of(const Settings& driven, Study& study) const;
+  /// The case with these changes, driven so. Throws InputError for what it cannot take.
   template <class Protocol>
-  std::vector<Asked> asked_of(const std::vector<CaseChange>& changes, const std::vector<Protocol>& protocols,
-                              Study& study) const;
-  Asked asked_of(Settings driven, const std::vector<CaseChange>& changes, Study& study) const;
+  Settings driven_by(const Protocol& protocol, const std::vector<CaseChange>& changes) const;
+  /// A solution at hand of the same contact that was pressed as far or further, in enough steps; empty: none.
+  std::filesystem::path pressed_further(const Settings& driven, const LoadingProtocol& protocol) const;
   Study empty_study() const;
   void refuse_for_normal_recordings() const;
   std::vector<SolvedMotion> move_once(const std::vector<CaseChange>& changes,

@@ -97,7 +97,7 @@ Material material_of_parts(const std::vector<std::string>& parts, const std::str
 
 std::string range_text(const PublishedNumber& number) {
   if (std::isinf(number.value)) return "not modelled: elastic";
-  const std::string value = format_quantity(number.value, Dimension::pressure);
+  std::string value = format_quantity(number.value, Dimension::pressure);
   if (number.low == number.high) return value;
   return value + " (" + format_quantity(number.low, Dimension::pressure) + " to " +
          format_quantity(number.high, Dimension::pressure) + ")";

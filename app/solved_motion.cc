@@ -33,15 +33,17 @@ Resistance sliding_resistance(const SolvedCase& solved, double normal_force) {
   return {friction.value * normal_force, friction.sd * normal_force};
 }
 
-/// Of the energy that rolling loses per angle. Below what the mesh makes of smooth elastic bodies it is known
-/// to be no more than that.
+/// Of the energy that rolling loses per angle. Below what the mesh makes of smooth elastic bodies all of it
+/// may be the mesh's.
 Resistance rolling_resistance(const SolvedCase& solved) {
   const EffectiveNumber lost = solved.effective("rolling_dissipation"),
                         floor = solved.effective("rolling_noise_floor");
   const double radius = solved.hertz().radius;
   Resistance resistance{lost.value / radius, lost.sd / radius};
-  if (!(lost.value > floor.value) && std::isfinite(lost.value))
-    resistance.value = resistance.sd = floor.value / radius;
+  if (!std::isfinite(lost.value) || lost.value > floor.value) return resistance;
+  constexpr double least_part = 1e-3;  // of the floor: a law that is corrected by a factor needs one
+  resistance.value = std::max(lost.value, least_part * floor.value) / radius;
+  resistance.sd = std::max({resistance.sd, resistance.value, std::abs(lost.value) / radius});
   return resistance;
 }
 

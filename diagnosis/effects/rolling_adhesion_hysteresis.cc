@@ -2,8 +2,8 @@
 // than closing gave is lost:
 //   f_l = 2 a (w_opening - w_closing),   a: Hertz' radius under the load
 // (Kendall 1975). It grows as f_n^(1/3), so that neither a share of the load nor a constant force stands for
-// it. Without a load a is that of adhesion alone (Johnson, Kendall & Roberts 1971), which this law leaves out
-// and finite elements do not.
+// it. The width is what closing reaches: Hertz' where it gains nothing, and up to that of Johnson, Kendall &
+// Roberts (1971) with the work on approach, which this law leaves out and finite elements do not.
 #include <algorithm>
 #include <cmath>
 

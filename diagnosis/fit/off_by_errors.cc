@@ -13,10 +13,12 @@ class Around : public BranchCorrection {
   }
   double limit_factor(const Sample& sample) const override { return exact_->limit_factor(sample); }
   double stiffness_factor(const Sample& sample) const override { return exact_->stiffness_factor(sample); }
+  double limit_offset(const Sample& sample) const override { return exact_->limit_offset(sample); }
   std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
     return exact_->contact_for(reduced);
   }
   double error() const override { return exact_->error(); }
+  double limit_error(const Sample& sample) const override { return exact_->limit_error(sample); }
   double stiffness_error() const override { return exact_->stiffness_error(); }
   const std::vector<std::function<double(double)>>& surface_errors() const override {
     return exact_->surface_errors();
@@ -35,8 +37,8 @@ class OffByError : public Around {
   double displacement(const Sample& sample, double force) const override {
     return exact().displacement(sample, force) + error();
   }
-  double limit_factor(const Sample& sample) const override {
-    return exact().limit_factor(sample) * (1 + error());
+  double limit_offset(const Sample& sample) const override {
+    return exact().limit_offset(sample) + limit_error(sample);
   }
 };
 

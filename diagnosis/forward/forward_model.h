@@ -48,6 +48,8 @@ struct MotionProtocol {
   double path = 0;                  ///< path length [m]; 0 of torsion: as the case gives its angle
   /// RMS roughness that the substrate's generated surface is scaled to [m]; none: as the case has it.
   std::optional<double> substrate_rms;
+  /// Folder in which the case as it is was moved so already; empty: nowhere.
+  std::string solved_in{};
 };
 
 /// What one case that was slid, rolled or spun says of its steady motion.
@@ -115,6 +117,8 @@ class ForwardModel {
   /// The case as it is on other realisations of its surfaces, up to a force [N]: an experiment has one of its
   /// own. None where no surface is generated.
   virtual OtherSurfaces on_other_surfaces(double) { return {}; }
+  /// How the case as it is was moved in solutions that are at hand.
+  virtual std::vector<MotionProtocol> solved_motions(Motion) { return {}; }
   /// Slides, rolls or spins the case with these changes under each of the protocols, likewise; `must_end`:
   /// whatever it takes.
   virtual std::vector<SolvedMotion> move(const std::vector<CaseChange>& changes,

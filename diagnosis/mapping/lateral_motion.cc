@@ -91,7 +91,8 @@ void SolvedCaseMapping::prepare_lateral(Recording& recording, const SimulatedBod
 }
 
 void SolvedCaseMapping::correct_lateral(FitProblem& problem) {
-  motions_ = motion_protocols_of(problem, problem.experiment.case_is_smooth);
+  motions_ = at_solved_loads(motion_protocols_of(problem, problem.experiment.case_is_smooth),
+                             model_.solved_motions(problem.experiment.mode));
   if (motions_.front().substrate_rms)
     remarks_.push_back(
         "the recording is of several surfaces: the case is solved with its substrate scaled to the RMS "

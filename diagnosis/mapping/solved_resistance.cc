@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t most_loads = 3;
 constexpr double same_load = 0.05;
 
-/// Factors on a law at some forces, straight in the logarithm of the force, as at the last one beyond them.
+/// Factors on a law, or errors, at some forces, straight in the logarithm of the force, as at the last one
+/// beyond them.
 class Factors {
  public:
   void add(double force, double factor) {
@@ -49,6 +50,7 @@ bool have_same_roughness(double one, double other) {
 struct SurfaceFactors {
   std::optional<double> rms;  ///< none: the only one
   Factors limit, stiffness;
+  Factors error;  ///< of what was solved [N]
 };
 
 class ResistanceDifference : public BranchCorrection {
@@ -61,14 +63,15 @@ class ResistanceDifference : public BranchCorrection {
     return at(sample, &SurfaceFactors::stiffness);
   }
   double error() const override { return relative_error; }
+  double limit_error(const Sample& sample) const override { return at(sample, &SurfaceFactors::error, 0); }
   double stiffness_error() const override { return relative_stiffness_error; }
 
  private:
-  double at(const Sample& sample, Factors SurfaceFactors::*of) const {
+  double at(const Sample& sample, Factors SurfaceFactors::*of, double without = 1) const {
     const auto own = std::find_if(surfaces.begin(), surfaces.end(), [&](const SurfaceFactors& surface) {
       return !surface.rms || have_same_roughness(*surface.rms, sample.rms_roughness);
     });
-    return own == surfaces.end() ? 1 : ((*own).*of).at(sample.normal_force);
+    return own == surfaces.end() ? without : ((*own).*of).at(sample.normal_force);
   }
 };
 
@@ -257,6 +260,28 @@ std::vector<MotionProtocol> motion_protocols_of(const FitProblem& problem, bool 
   return protocols;
 }
 
+std::vector<MotionProtocol> at_solved_loads(std::vector<MotionProtocol> asked,
+                                            const std::vector<MotionProtocol>& solved) {
+  constexpr double near = 1.5;  // factor of the load
+  std::vector<MotionProtocol> taken;
+  for (MotionProtocol& one : asked) {
+    const auto distance = [&](const MotionProtocol& other) {
+      return std::abs(std::log(other.normal_force / one.normal_force));
+    };
+    const auto nearest = std::min_element(solved.begin(), solved.end(), [&](const auto& a, const auto& b) {
+      return distance(a) < distance(b);
+    });
+    if (!one.substrate_rms && nearest != solved.end() && distance(*nearest) < std::log(near)) {
+      one.normal_force = nearest->normal_force;
+      one.solved_in = nearest->solved_in;
+    }
+    if (taken.empty() || taken.back().substrate_rms != one.substrate_rms ||
+        taken.back().normal_force != one.normal_force)
+      taken.push_back(one);
+  }
+  return taken;
+}
+
 double resistance_error(const std::vector<SolvedMotion>& motions) {
   double largest = 0;
   for (const SolvedMotion& motion : motions)
@@ -279,8 +304,9 @@ std::shared_ptr<const BranchCorrection> resistance_difference_to(const std::vect
     while (to < motions.size() && motions[to].substrate_rms == motions[from].substrate_rms) ++to;
     const std::vector<SolvedMotion> of_surface(motions.begin() + static_cast<std::ptrdiff_t>(from),
                                                motions.begin() + static_cast<std::ptrdiff_t>(to));
-    SurfaceFactors factors{motions[from].substrate_rms, limit_factors(of_surface, reduced), {}};
+    SurfaceFactors factors{motions[from].substrate_rms, limit_factors(of_surface, reduced), {}, {}};
     for (const SolvedMotion& motion : of_surface) {
+      factors.error.add(motion.normal_force, motion.resistance_error);
       if (!(motion.lateral_stiffness > 0)) continue;
       difference->relative_stiffness_error = std::max(
           difference->relative_stiffness_error, motion.lateral_stiffness_error / motion.lateral_stiffness);

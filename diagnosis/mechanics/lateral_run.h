@@ -84,7 +84,8 @@ class LateralRun {
     for (auto& change : lateral_.coefficient_changes) coefficient = change(coefficient, state);
     double most = lateral_limit(mechanics_, sample, coefficient, at_substrate);
     for (auto& change : lateral_.limit_changes) most = change(most, state);
-    if (lateral_.correction) most *= lateral_.correction->limit_factor(sample);
+    if (lateral_.correction)
+      most = most * lateral_.correction->limit_factor(sample) + lateral_.correction->limit_offset(sample);
     for (const auto& part : lateral_.beside) most += part(state);
     return std::max(0.0, most);
   }

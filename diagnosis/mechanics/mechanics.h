@@ -66,12 +66,17 @@ class BranchCorrection {
   /// [-].
   virtual double limit_factor(const Sample&) const { return 1; }
   virtual double stiffness_factor(const Sample&) const { return 1; }
+  /// Force beside the limit that the factor gives [N].
+  virtual double limit_offset(const Sample&) const { return 0; }
   /// The contact itself, where what finite elements say is a force at its displacement, as of a contact that
   /// attracts; null: it stays the reduced law.
   virtual std::shared_ptr<const NormalContact> contact_for(const NormalContact&) const { return nullptr; }
   /// Standard deviation of the finite elements' own answer, of mesh and load steps, at any force: of the
-  /// displacement under normal load [m], of friction in sliding as a part of it [-].
+  /// displacement under normal load [m], of resistance along the surface as a part of it [-].
   virtual double error() const = 0;
+  /// The same of the resistance that was solved, at a sample's normal force and surface [N]: what stands
+  /// beside the solution adds nothing to it.
+  virtual double limit_error(const Sample&) const { return 0; }
   /// The same of the lateral stiffness, as a part of it [-].
   virtual double stiffness_error() const { return 0; }
   /// What a displacement may be off by because the experiment's surface is another realisation [m], over the

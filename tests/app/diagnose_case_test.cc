@@ -159,6 +159,17 @@ TEST(DiagnoseCase_analytic, a_contact_of_Hertz_and_its_elastic_case_agree) {
   EXPECT_EQ(again["verdict"], "no_mismatch");
   EXPECT_EQ(again["forward_model"]["before"], said["forward_model"]["before"]);
   EXPECT_EQ(read_file(other / "after.csv"), read_file(output / "after.csv"));
+  // Less load is a part of the way to more.
+  const auto smaller = folder.path / "smaller";
+  std::filesystem::create_directory(smaller);
+  std::filesystem::rename(recorded(folder, loaded(26e-9, [&](double d) { return hertz.force(d); })),
+                          smaller / "recording");
+  const Outcome of_less = call("diagnose " + (smaller / "recording").string() + " --study " +
+                               (output / "solves").string() + " --output " + (smaller / "out").string());
+  EXPECT_EQ(of_less.status, 0) << of_less.output;
+  EXPECT_FALSE(std::filesystem::exists(smaller / "out/solves"));
+  EXPECT_EQ(nlohmann::json::parse(read_file(smaller / "out/diagnosis.json"))["verdict"], "no_mismatch");
+  recorded(folder, loaded(40e-9, [&](double d) { return hertz.force(d); }));
   auto about = nlohmann::json::parse(read_file(recording / "recording.json"));
   about["simulation"] = {{"case", "case.prm"}, {"study", "solved"}};
   write_file_atomically(recording / "recording.json", about.dump());

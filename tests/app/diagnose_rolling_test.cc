@@ -23,11 +23,8 @@ using test::TemporaryFolder;
 
 constexpr double turned_radius = 8.5e-6;
 
-/// Hertz' radius under a load, widened by adhesion of this work (Johnson, Kendall & Roberts 1971) [m].
-double edge_of_contact(double load, double work = 0) {
-  const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), turned_radius};
-  const double pull = 3 * M_PI * work * turned_radius;
-  return hertz.contact_radius(load + pull + std::sqrt(2 * pull * load + pull * pull));
+double edge_of_contact(double load) {
+  return Hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), turned_radius}.contact_radius(load);
 }
 
 /// Eight rows of each load, in either direction, noise 1 % of the largest force.
@@ -79,25 +76,35 @@ nlohmann::json diagnosed_turning(const TemporaryFolder& folder, const std::files
 /// M = (3 pi/16) mu f a (Lubkin 1951).
 TEST(DiagnoseTorsion_analytic, a_moment_of_the_case_s_friction_agrees_with_it) {
   const TemporaryFolder folder;
-  const auto said = diagnosed_turning(
-      folder,
-      turned_recording(
-          folder, "torsion", {100e-6},
-          [](double load) { return 3 * M_PI / 16 * 0.3 * load * edge_of_contact(load) / turned_radius; }),
-      "40 nm");
+  const auto moment = [](double load) {
+    return 3 * M_PI / 16 * 0.3 * load * edge_of_contact(load) / turned_radius;
+  };
+  const auto said = diagnosed_turning(folder, turned_recording(folder, "torsion", {100e-6}, moment), "40 nm");
   EXPECT_EQ(said["verdict"], "no_mismatch") << said["printed"].get<std::string>();
   EXPECT_EQ(said["forward_model"]["solves"], 1);
   EXPECT_LT(said["forward_model"]["discretisation_error"]["value"].get<double>(), 0.1);
+
+  // The solution stands for a load that is near, and is the simulation itself.
+  const auto near = folder.path / "near";
+  std::filesystem::create_directory(near);
+  std::filesystem::rename(turned_recording(folder, "torsion", {80e-6}, moment), near / "recording");
+  const Outcome of_study =
+      call("diagnose " + (near / "recording").string() + " --study " +
+           (folder.path / "diagnosis/solves").string() + " --output " + (near / "out").string());
+  EXPECT_EQ(of_study.status, 0) << of_study.output;
+  EXPECT_FALSE(std::filesystem::exists(near / "out/solves"));
+  EXPECT_EQ(nlohmann::json::parse(read_file(near / "out/diagnosis.json"))["verdict"], "no_mismatch")
+      << of_study.output;
 }
 
-/// The edge that opens is that of adhesion: 2 a w is lost per path.
+/// Where closing gains nothing, what closes is Hertz' contact, and 2 a w is lost per path behind it.
 TEST(DiagnoseRollingNightly_analytic, work_that_opening_takes_is_named_and_written_to_the_case) {
   constexpr double work = 0.05;
   const TemporaryFolder folder;
   const auto said =
       diagnosed_turning(folder,
                         turned_recording(folder, "rolling", {60e-6, 120e-6, 240e-6},
-                                         [](double load) { return 2 * edge_of_contact(load, work) * work; }),
+                                         [](double load) { return 2 * edge_of_contact(load) * work; }),
                         "25 nm");
   EXPECT_EQ(said["verdict"], "explained") << said["printed"].get<std::string>();
   ASSERT_EQ(said["left_out"].size(), 1u) << said["printed"].get<std::string>();
