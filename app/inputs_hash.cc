@@ -1,5 +1,7 @@
 #include "app/inputs_hash.h"
 
+#include <functional>
+
 #include "app/case_declaration.h"
 #include "app/case_file.h"
 #include "core/atomic_file.h"
@@ -20,18 +22,13 @@ std::string by_content(ScanParameters scan) {
   return scan.text();
 }
 
-}  // namespace
-
-bool is_about_the_run(const Setting& setting) {
-  return setting.section == "Output" || setting.path() == "Title" || setting.path() == "Solver/Threads";
-}
-
-std::string inputs_sha256(const Settings& settings, const std::filesystem::path& file) {
+std::string sha256_without(const std::function<bool(const Setting&)>& is_left_out, const Settings& settings,
+                           const std::filesystem::path& file) {
   std::string text = version;
   const Settings complete = complete_settings(settings, file);
   for (std::size_t i = 0; i < complete.size(); ++i) {
     const CaseEntry& entry = case_entries()[i];  // complete_settings has their order
-    if (is_about_the_run(complete[i])) continue;
+    if (is_left_out(complete[i])) continue;
     std::string value = entry.canonical(complete[i].value);
     if (!entry.required() && value == entry.canonical(entry.default_text)) continue;
     if (entry.name == "Topography") {
@@ -41,6 +38,22 @@ std::string inputs_sha256(const Settings& settings, const std::filesystem::path&
     text += former_path(complete[i].path()) + " = " + value + "\n";
   }
   return sha256(text);
+}
+
+}  // namespace
+
+bool is_about_the_run(const Setting& setting) {
+  return setting.section == "Output" || setting.path() == "Title" || setting.path() == "Solver/Threads";
+}
+
+std::string inputs_sha256(const Settings& settings, const std::filesystem::path& file) {
+  return sha256_without(is_about_the_run, settings, file);
+}
+
+std::string contact_sha256(const Settings& settings, const std::filesystem::path& file) {
+  return sha256_without(
+      [](const Setting& setting) { return setting.section == "Experiment" || is_about_the_run(setting); },
+      settings, file);
 }
 
 }  // namespace asperity

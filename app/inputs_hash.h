@@ -15,6 +15,9 @@ namespace asperity {
 /// accepts; `file` is where they come from.
 std::string inputs_sha256(const Settings& settings, const std::filesystem::path& file);
 
+/// The same of the contact alone, however it is driven: without Experiment.
+std::string contact_sha256(const Settings& settings, const std::filesystem::path& file);
+
 /// Whether an entry changes cost and files alone.
 bool is_about_the_run(const Setting& setting);
 

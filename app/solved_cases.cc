@@ -11,21 +11,8 @@
 #include "core/parameter_file.h"
 
 namespace asperity {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// A case without what says how it is driven.
-std::string contact_of(const Settings& settings, const fs::path& file) {
-  Settings pressed;
-  for (const Setting& setting : settings)
-    if (setting.section != "Experiment") pressed.push_back(setting);
-  override_setting(pressed, {"Experiment", "Type", "normal", "solved cases"});
-  override_setting(pressed, {"Experiment", "Normal load", "1 uN", "solved cases"});
-  return inputs_sha256(pressed, file);
-}
-
-}  // namespace
 
 SolvedCases::SolvedCases(const fs::path& folder) : folder_(folder) {
   if (!fs::is_directory(folder))
@@ -41,7 +28,7 @@ SolvedCases::SolvedCases(const fs::path& folder) : folder_(folder) {
       const Settings settings = read_settings(file);
       const ExperimentInput driven = case_from_settings(settings, file).experiment;
       known_.push_back(
-          {{entry.path(), driven.type, driven.normal_load, driven.speed}, contact_of(settings, file)});
+          {{entry.path(), driven.type, driven.normal_load, driven.speed}, contact_sha256(settings, file)});
     } catch (const InputError&) {  // of another version, or of a scan that is gone: it is known by its inputs
       continue;
     }
@@ -58,7 +45,7 @@ fs::path SolvedCases::with_inputs(const std::string& sha256) const {
 std::vector<DrivenCase> SolvedCases::of_contact(const Settings& settings, const fs::path& file) const {
   std::vector<DrivenCase> list;
   if (known_.empty()) return list;
-  const std::string contact = contact_of(settings, file);
+  const std::string contact = contact_sha256(settings, file);
   for (const Known& known : known_)
     if (known.contact == contact) list.push_back(known.driven);
   return list;

@@ -7,6 +7,7 @@
 #include "core/quantity.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "diagnosis/mapping/changes_in_words.h"
+#include "diagnosis/mapping/motion_protocols.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
 
 namespace asperity {

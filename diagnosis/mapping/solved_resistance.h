@@ -18,16 +18,6 @@
 
 namespace asperity {
 
-/// Three of the recorded loads of each surface at most, the largest first, each with a path on which a
-/// contact of this local friction slips as a whole, or rolls steadily. Throws InputError where nothing is
-/// pressed, and for rolling in a groove.
-std::vector<MotionProtocol> motion_protocols_of(const FitProblem& problem, bool is_smooth);
-
-/// The same with loads that are solved already in place of those that are near: the difference is known at
-/// any load between.
-std::vector<MotionProtocol> at_solved_loads(std::vector<MotionProtocol> asked,
-                                            const std::vector<MotionProtocol>& solved);
-
 /// Largest part by which a motion's resistance is off, as stated [-].
 double resistance_error(const std::vector<SolvedMotion>& motions);
 
