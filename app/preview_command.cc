@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -28,6 +29,18 @@ struct PreviewArguments {
 
 void say(const std::string& line) { std::cout << line << std::endl; }
 
+/// Says how far a separation has come where it takes long.
+half_space::OnSeparation said_from_time_to_time() {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds between{5};
+  return [last = Clock::now(), between](double approach, double force) mutable {
+    if (Clock::now() - last < between) return;
+    last = Clock::now();
+    say("separating: approach " + format_quantity(approach, Dimension::length) + ", force " +
+        format_quantity(force, Dimension::force));
+  };
+}
+
 void run_preview(const PreviewArguments& arguments) {
   double hardness = 0;
   if (!arguments.hardness.empty()) {
@@ -37,7 +50,7 @@ void run_preview(const PreviewArguments& arguments) {
   const Settings settings = read_settings(arguments.file, arguments.overrides);
   const CaseInput input = case_from_settings(settings, arguments.file);
   naming_lines_of_scans(settings, input, [&] {
-    const PreviewedCase preview = preview_case(input, hardness);
+    const PreviewedCase preview = preview_case(input, hardness, said_from_time_to_time());
     for (const auto& line : report::preview_lines(input, preview)) say(line);
     if (arguments.output.empty()) return;
     const std::filesystem::path folder = arguments.output;

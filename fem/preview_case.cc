@@ -97,16 +97,17 @@ MeshPreview preview_mesh(const CaseInput& input) {
           cost.steps};
 }
 
-PreviewedCase preview_case(const CaseInput& input, double hardness) {
+PreviewedCase preview_case(const CaseInput& input, double hardness,
+                           const half_space::OnSeparation& on_separation) {
   PreviewedCase preview;
   const auto attraction = fem::surface_attraction(input.interface);
   preview.hardness = hardness > 0 ? hardness : tabor_factor * lower_yield_stress(input);
   try {
-    preview.contact = half_space::preview_of_case(input, preview.hardness, attraction);
+    preview.contact = half_space::preview_of_case(input, preview.hardness, attraction, on_separation);
   } catch (const InputError&) {  // a contact of that hardness may be no half-space's where the elastic one is
     if (hardness > 0 || std::isinf(preview.hardness)) throw;
     preview.hardness = std::numeric_limits<double>::infinity();
-    preview.contact = half_space::preview_of_case(input, preview.hardness, attraction);
+    preview.contact = half_space::preview_of_case(input, preview.hardness, attraction, on_separation);
   }
   preview.work_of_separation = fem::work_of_adhesion(input.interface).opening;
   preview.yielding = yielding_bodies(input);

@@ -136,8 +136,8 @@ double AdhesiveContact::stiffness(const AdhesiveSolution& pressed,
 
 /// The tension over the approach has one maximum, or an end where the contact jumps apart: found between
 /// states of equal steps, which are then halved.
-PullOff AdhesiveContact::pull_off(const AdhesiveSolution& pressed,
-                                  const NormalContactOptions& options) const {
+PullOff AdhesiveContact::pull_off(const AdhesiveSolution& pressed, const NormalContactOptions& options,
+                                  const OnSeparation& on_state) const {
   constexpr double steps_over_range = 4, tolerance = 2e-4, past_the_largest = 0.5, close_enough = 1e-3;
   constexpr int most_halvings = 10;
   const double touch = *std::min_element(contact_.gap().begin(), contact_.gap().end());
@@ -145,7 +145,9 @@ PullOff AdhesiveContact::pull_off(const AdhesiveSolution& pressed,
   PullOff found;
   const auto at = [&](const AdhesiveSolution& closer, double approach) {
     ++found.states;
-    return separated(closer, approach, options, tolerance);
+    AdhesiveSolution state = separated(closer, approach, options, tolerance);
+    if (on_state) on_state(state.contact.approach, state.force);
+    return state;
   };
   // Inwards from where undeformed surfaces touch, as long as the tension grows.
   AdhesiveSolution best = pressed, closer = pressed;

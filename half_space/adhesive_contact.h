@@ -44,6 +44,9 @@ struct PullOff {
   int states = 0;       ///< equilibria that were solved
 };
 
+/// Hears how far a separation has come: approach [m] and force [N].
+using OnSeparation = std::function<void(double approach, double force)>;
+
 class AdhesiveContact {
  public:
   /// contact: kept by the caller. Throws InputError without laws or a range.
@@ -63,8 +66,10 @@ class AdhesiveContact {
 
   /// Force over approach at the beginning of separation [N/m], attraction and contact as they follow.
   double stiffness(const AdhesiveSolution& pressed, const NormalContactOptions& options = {}) const;
-  /// Separated step by step from `pressed`, which is not changed; to 0.1 % of the force.
-  PullOff pull_off(const AdhesiveSolution& pressed, const NormalContactOptions& options = {}) const;
+  /// Separated step by step from `pressed`, which is not changed; to 0.1 % of the force. `on_state` hears of
+  /// each state.
+  PullOff pull_off(const AdhesiveSolution& pressed, const NormalContactOptions& options = {},
+                   const OnSeparation& on_state = nullptr) const;
 
  private:
   AdhesiveSolution without_attraction() const;

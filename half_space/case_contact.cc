@@ -93,7 +93,7 @@ void press_and_separate(const NormalContact& half_spaces, const CaseInput& input
   contact.attracting = pressed.contact.force - pressed.force;
   contact.attraction_in_touch = attraction.opening(0);
   const auto separate = [&](const AdhesiveContact& from) {
-    if (options.with_pull_off) contact.pull_off = from.pull_off(pressed, how);
+    if (options.with_pull_off) contact.pull_off = from.pull_off(pressed, how, options.on_separation);
     if (options.with_stiffness && !options.edge_is_held) contact.stiffness = from.stiffness(pressed, how);
   };
   if (std::isinf(how.hardness)) {
@@ -234,9 +234,10 @@ std::vector<CaseContact> contacts_under(CaseInput input, const std::vector<doubl
 }
 
 CasePreview preview_of_case(const CaseInput& input, double hardness,
-                            const std::optional<Attraction>& attraction) {
+                            const std::optional<Attraction>& attraction, const OnSeparation& on_separation) {
   CasePreview preview;
   CaseContactOptions options;
+  options.on_separation = on_separation;
   constexpr int most_cells_with_attraction = 512;  // separation takes some two hundred contacts
   if (attraction && is_resolved(input, *attraction, most_cells_with_attraction)) {
     options.attraction = attraction;

@@ -32,6 +32,7 @@ struct CaseContactOptions {
   bool with_shear_stiffness = false;
   std::optional<Attraction> attraction;  ///< of the surfaces; none: no adhesion
   bool with_pull_off = true;             ///< of surfaces that attract each other
+  OnSeparation on_separation{};          ///< hears of it, for it takes minutes with a short range
 };
 
 struct CaseContact {
@@ -112,6 +113,7 @@ struct CasePreview {
 /// hardness: of the softer body [Pa], infinite without one; attraction: of the surfaces, if any. Where its
 /// zone is too small for the finest grid it is left out, and there is no pull-off.
 CasePreview preview_of_case(const CaseInput& input, double hardness,
-                            const std::optional<Attraction>& attraction = std::nullopt);
+                            const std::optional<Attraction>& attraction = std::nullopt,
+                            const OnSeparation& on_separation = nullptr);
 
 }  // namespace asperity::half_space
