@@ -43,10 +43,6 @@ class FiniteElementModel : public ForwardModel {
   OtherSurfaces on_other_surfaces(double largest_force) override {
     return other_surfaces_of(input_, largest_force);
   }
-  /// By half-spaces.
-  std::vector<double> growth_by_roughness(const RoughSubstrate& substrate, double from, double to) override {
-    return growth_on(input_, substrate, from, to);
-  }
   std::vector<MotionProtocol> solved_motions(Motion motion) override;
   /// Throws InputError for a change that the case refuses, WorkError where it does not slip as a
   /// whole, or roll steadily.

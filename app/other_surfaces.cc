@@ -36,23 +36,6 @@ std::vector<double> approaches(const CaseInput& input, const std::vector<double>
 
 }  // namespace
 
-std::vector<double> growth_on(const CaseInput& input, const RoughSubstrate& substrate, double from,
-                              double to) {
-  constexpr int seeds = 12;
-  const Hertz hertz = hertz_of(input);
-  std::vector<double> growth;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    GeneratorParameters generator;
-    generator.spectrum = {substrate.rms, 0.8, substrate.longest, substrate.shortest};
-    generator.seed = static_cast<std::uint64_t>(seed);
-    CaseInput rough = input;
-    rough.substrate.topography = generator;
-    const std::vector<double> approach = approaches(rough, {from, to});
-    growth.push_back(approach[1] - approach[0] - (hertz.approach(to) - hertz.approach(from)));
-  }
-  return growth;
-}
-
 OtherSurfaces other_surfaces_of(const CaseInput& input, double largest_force) {
   constexpr double seen = 2e-3;  // of the largest force
   OtherSurfaces other_surfaces;

@@ -12,9 +12,4 @@ namespace asperity {
 /// WorkError as half_space::contact_of_case does.
 OtherSurfaces other_surfaces_of(const CaseInput& input, double largest_force);
 
-/// By how much more than between smooth bodies the approach of a case with this generated substrate grows
-/// between two forces [N], elastic and without adhesion, of twelve seeds [m]. Throws as half-spaces do.
-std::vector<double> growth_on(const CaseInput& input, const RoughSubstrate& substrate, double from,
-                              double to);
-
 }  // namespace asperity

@@ -157,10 +157,9 @@ class Diagnoser {
 
   void describe_simulation() {
     describe_in_case(result_.left_out);
-    mapping_->measure_heights(problem_, result_.left_out);
     for (const DiagnosedEffect& named : result_.left_out)
       if (const std::string why = effect_of(named.id).why_no_entry(problem_.experiment, named.parameters);
-          !why.empty() && named.case_entries.empty())
+          !why.empty())
         result_.remarks.push_back(why);
     for (auto& alternative : result_.alternatives) describe_in_case(alternative.effects);
     result_.simulation = mapping_->described(result_.left_out.empty() ? nullptr : &judged_.list.front().fit);

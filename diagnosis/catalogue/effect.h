@@ -123,15 +123,6 @@ class Effect {
   /// all corners of the parameters' intervals where nothing else is said.
   virtual std::vector<CorrectedEntry> corrected_entries(const Experiment& experiment,
                                                         const std::vector<DiagnosedParameter>& found) const;
-  /// A substrate whose asperities stand for these parameters (its height is a guess), and by how much they
-  /// let the approach grow between two forces [N]; growth of 0: no roughness stands for them.
-  struct RoughnessFound {
-    RoughSubstrate substrate;
-    double growth = 0;  ///< [m]
-  };
-  virtual RoughnessFound roughness_found(const Experiment&, const double*, double, double) const {
-    return {};
-  }
   /// Why these parameters stand for no entry of a corrected case, as a sentence; empty: nothing speaks
   /// against.
   virtual std::string why_no_entry(const Experiment&, const std::vector<DiagnosedParameter>&) const {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
-#include "diagnosis/catalogue/generated_substrate.h"
 
 namespace asperity {
 namespace {
@@ -69,22 +69,19 @@ class RoughnessCompliance : public Effect {
   bool is_one_curve(const Experiment& e) const override { return has_own_zero(e); }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
   /// A layer fixes no topography: with a zero of its own its length was 0.35 to 0.9 of the RMS height on
-  /// eleven rough half-spaces (docs/diagnosis.md). Where half-spaces are at hand, they say the height.
+  /// eleven rough half-spaces (docs/diagnosis.md). Waves are a sixth to two fifths of Hertz' contact radius,
+  /// or what the mesh resolves.
   std::vector<CorrectedEntry> corrected_entries(const Experiment& e,
                                                 const std::vector<DiagnosedParameter>& found) const override {
     if (!e.case_is_smooth || !why_no_entry(e, found).empty()) return {};
     constexpr double least_part = 0.35, part = 0.6, largest_part = 0.9;
     const DiagnosedParameter& length = found.front();
-    return {generated_substrate(substrate_of(e, length.value / part), length.low / largest_part,
-                                length.high / least_part)};
-  }
-  RoughnessFound roughness_found(const Experiment& e, const double* p, double from,
-                                 double to) const override {
-    if (!has_own_zero(e)) return {};
-    const Layer layer = layer_of(e.hertz(), p);
-    const double growth = layer(to) - layer(from);
-    constexpr double of_height = 0.9;  // between a twentieth of the load and all of it
-    return {substrate_of(e, growth / of_height), growth};
+    const double rms = length.value / part, radius = e.hertz().contact_radius(e.largest_force),
+                 shortest = std::max(radius / 6, 4 * e.case_spacing),
+                 longest = std::max(0.4 * radius, 2 * shortest);
+    return {{"Substrate/Topography", "m", rms, length.low / largest_part, length.high / least_part,
+             printed("generated(rms=%.4g nm, hurst=0.8, rolloff=%.4g nm, cutoff=%.4g nm, seed=1)", 1e9 * rms,
+                     1e9 * longest, 1e9 * shortest)}};
   }
   std::string why_no_entry(const Experiment& e, const std::vector<DiagnosedParameter>& found) const override {
     constexpr double at_bound = 0.98;
@@ -95,34 +92,21 @@ class RoughnessCompliance : public Effect {
   }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   void assemble(Mechanics& m, const double* p) const override {
-    const Layer layer = layer_of(m.geometry, p);
-    m.normal.series.push_back(layer);
-    if (!has_own_zero(m.experiment) || p[2] <= 0) return;
-    const double unseen = m.geometry.approach(p[2]) + layer(p[2]);
-    m.normal.shifts.push_back([unseen](const Sample&) { return -unseen; });
-  }
-
- private:
-  /// Displacement under a force.
-  struct Layer {
-    double length, first;
-    Hertz smooth;
-    double operator()(double force) const {
+    const double length = p[0], first = p[1] * m.geometry.force(length);
+    const Hertz smooth = m.geometry;
+    const auto layer = [length, first, smooth](double force) {
       constexpr double concentrated = 0.914;
       return force > 0
                  ? length * std::log1p(force / first / (1 + concentrated * smooth.approach(force) / length))
                  : 0.0;
-    }
-  };
-  static Layer layer_of(const Hertz& smooth, const double* p) {
-    return {p[0], p[1] * smooth.force(p[0]), smooth};
+    };
+    m.normal.series.push_back(layer);
+    if (!has_own_zero(m.experiment) || p[2] <= 0) return;
+    const double unseen = smooth.approach(p[2]) + layer(p[2]);
+    m.normal.shifts.push_back([unseen](const Sample&) { return -unseen; });
   }
-  /// Waves are a sixth to two fifths of Hertz' contact radius, or what the mesh resolves.
-  static RoughSubstrate substrate_of(const Experiment& e, double rms) {
-    const double radius = e.hertz().contact_radius(e.largest_force),
-                 shortest = std::max(radius / 6, 4 * e.case_spacing);
-    return {rms, std::max(0.4 * radius, 2 * shortest), shortest};
-  }
+
+ private:
   static constexpr double stiffest = 1.5;  // onset of a layer that is as stiff as the sphere
   /// Beside a smooth case; a rough one knows its own.
   static bool has_own_zero(const Experiment& e) { return e.by_finite_elements && e.case_is_smooth; }

@@ -81,12 +81,6 @@ struct OtherSurfaces {
   double unseen = 0;
 };
 
-/// A generated surface of the substrate, smooth in the case.
-struct RoughSubstrate {
-  double rms = 0;                    ///< [m]
-  double longest = 0, shortest = 0;  ///< its waves [m]
-};
-
 /// Why a solution that has come so far may end, as the end of a sentence; empty: it goes on.
 using EnoughOfIt = std::function<std::string(const SolvedResponse& so_far)>;
 
@@ -123,9 +117,6 @@ class ForwardModel {
   /// The case as it is on other realisations of its surfaces, up to a force [N]: an experiment has one of its
   /// own. None where no surface is generated.
   virtual OtherSurfaces on_other_surfaces(double) { return {}; }
-  /// By how much more than between smooth bodies the approach grows between two forces [N], on this substrate
-  /// in place of the case's smooth one, of one seed each [m]. None where it is not known.
-  virtual std::vector<double> growth_by_roughness(const RoughSubstrate&, double, double) { return {}; }
   /// How the case as it is was moved in solutions that are at hand.
   virtual std::vector<MotionProtocol> solved_motions(Motion) { return {}; }
   /// Slides, rolls or spins the case with these changes under each of the protocols, likewise; `must_end`:

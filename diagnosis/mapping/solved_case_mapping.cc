@@ -8,7 +8,6 @@
 #include "core/printed.h"
 #include "core/quantity.h"
 #include "diagnosis/mapping/changes_in_words.h"
-#include "diagnosis/mapping/height_of_roughness.h"
 #include "diagnosis/mapping/recorded_contact.h"
 
 namespace asperity {
@@ -202,14 +201,6 @@ void SolvedCaseMapping::add_case_entries(const FitProblem& problem,
     effect.case_entries = of.corrected_entries(problem.experiment, effect.parameters);
     effect.form = name_of(of.enters_by(problem.experiment));
   }
-}
-
-void SolvedCaseMapping::measure_heights(const FitProblem& problem,
-                                        std::vector<DiagnosedEffect>& effects) const {
-  for (DiagnosedEffect& effect : effects)
-    if (const auto height =
-            height_of_roughness(model_, problem.experiment, effect_of(effect.id), effect.parameters))
-      effect.case_entries = {*height};
 }
 
 std::vector<UntriedEffect> SolvedCaseMapping::effects_without_form(const Experiment& experiment) const {

@@ -37,8 +37,6 @@ class SolvedCaseMapping {
   void widen_untested(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
   /// Fills in the entries of the case that stand for the effects.
   void add_case_entries(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
-  /// Heights of asperities from realisations of them, where the model knows some.
-  void measure_heights(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
   /// What the answer rests on; `chosen`: null where nothing is named.
   SolvedSimulation described(const ModelFit* chosen) const;
   const std::vector<std::string>& remarks() const { return remarks_; }

@@ -31,21 +31,6 @@ TEST(OtherSurfacesOfCase_behaviour, smooth_bodies_and_scans_have_none) {
   EXPECT_TRUE(other_surfaces_of(case_on("wafer.gwy"), 1e-4).changes.empty());
 }
 
-/// In nearly the same part as the asperities are high.
-TEST(OtherSurfacesOfCase_behaviour, the_approach_grows_by_more_on_rougher_substrates) {
-  const CaseInput smooth = case_on("smooth");
-  const auto mean_growth = [&](double rms) {
-    const auto growth = growth_on(smooth, {rms, 100e-9, 50e-9}, 5e-6, 1e-4);
-    EXPECT_EQ(growth.size(), 12u);
-    double sum = 0;
-    for (const double one : growth) sum += one;
-    return sum / static_cast<double>(growth.size());
-  };
-  const double low = mean_growth(0.5e-9), high = mean_growth(1e-9);
-  EXPECT_GT(low, 0.2 * 0.5e-9);
-  EXPECT_NEAR(high / low, 2, 0.5);
-}
-
 TEST(OtherSurfacesOfCase_behaviour, other_seeds_differ_by_more_on_rougher_surfaces) {
   const OtherSurfaces fine = other_surfaces_of(
                           case_on("generated(rms=0.3 nm, hurst=0.8, rolloff=200 nm, cutoff=80 nm, seed=3)"),
