@@ -137,17 +137,11 @@ FiniteElementModel::Asked FiniteElementModel::asked_of(const Settings& driven, S
 fs::path FiniteElementModel::pressed_further(const Settings& driven, const LoadingProtocol& protocol) const {
   if (protocol.unloads || protocol.approach > 0) return {};
   constexpr double rounding = 1e-3, most = 3;
-  constexpr int least_steps = 6;
-  for (const DrivenCase& known : options_.earlier.of_contact(driven, file_)) {
-    if (known.motion != Motion::normal || known.load < (1 - rounding) * protocol.largest_force ||
-        known.load > most * protocol.largest_force)
-      continue;
-    const SolvedResponse response = response_of(known.folder, "");
-    const auto within = std::count_if(
-        response.force.begin(), response.force.begin() + static_cast<std::ptrdiff_t>(response.peak) + 1,
-        [&](double force) { return force > 0 && force < (1 + rounding) * protocol.largest_force; });
-    if (response.ended_early.empty() && within >= least_steps) return known.folder;
-  }
+  for (const DrivenCase& known : options_.earlier.of_contact(driven, file_))
+    if (known.motion == Motion::normal && known.load > (1 - rounding) * protocol.largest_force &&
+        known.load < most * protocol.largest_force &&
+        tells_loading_up_to(known.folder, (1 + rounding) * protocol.largest_force))
+      return known.folder;
   return {};
 }
 

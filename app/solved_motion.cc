@@ -101,4 +101,17 @@ SolvedResponse response_of(const fs::path& folder, const std::string& ended_earl
   return response;
 }
 
+bool tells_loading_up_to(const fs::path& folder, double force) {
+  constexpr int least_steps = 6;
+  try {
+    const SolvedResponse response = response_of(folder, "");
+    const auto end = response.force.begin() + static_cast<std::ptrdiff_t>(response.peak) + 1;
+    return response.ended_early.empty() && std::count_if(response.force.begin(), end, [&](double f) {
+                                             return f > 0 && f < force;
+                                           }) >= least_steps;
+  } catch (const WorkError&) {  // it outgrew its mesh, or does not state its error
+    return false;
+  }
+}
+
 }  // namespace asperity

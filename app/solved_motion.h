@@ -29,4 +29,7 @@ SolvedMotion motion_of(const std::filesystem::path& folder, const MotionProtocol
 /// WorkError where it says too little, or does not state its error.
 SolvedResponse response_of(const std::filesystem::path& folder, const std::string& ended_early);
 
+/// Whether a solution tells the loading up to a force [N] in six steps or more.
+bool tells_loading_up_to(const std::filesystem::path& folder, double force);
+
 }  // namespace asperity
