@@ -1,7 +1,9 @@
 #include "diagnosis/fit/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "diagnosis/fit/repeats.h"
@@ -27,6 +29,32 @@ std::vector<std::vector<double>> blocks_of(const Samples& samples, const std::ve
     }
   }
   return list;
+}
+
+/// Rows of a series that were recorded under the same settings in the same direction: scatter about their
+/// mean, pooled; 0 with fewer than eight rows beyond the first of each.
+double scatter_of_repeated_rows(const Samples& samples, const std::vector<double>& residual,
+                                std::size_t table) {
+  std::map<std::array<double, 9>, std::vector<double>> repeated;
+  for (const auto& run : samples.runs)
+    if (run.table == table && run.independent_rows)
+      for (std::size_t i = run.begin; i < run.end; ++i) {
+        const Sample& s = samples.list[i];
+        if (s.counts)
+          repeated[{s.normal_force, s.normal_displacement, s.rms_roughness, s.speed, s.radius, s.rail_angle,
+                    s.humidity, s.cycle, static_cast<double>(s.direction)}]
+              .push_back(residual[i]);
+      }
+  constexpr std::size_t enough = 8;
+  double squares = 0;
+  std::size_t beyond_first = 0;
+  for (const auto& [settings, values] : repeated) {
+    const double mean =
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    beyond_first += values.size() - 1;
+  }
+  return beyond_first < enough ? 0 : std::sqrt(squares / static_cast<double>(beyond_first));
 }
 
 /// Rows of a series in the order of their load: scatter about the line between neighbours.
@@ -111,6 +139,8 @@ Noise estimate_noise(const Recording& recording, const Samples& samples,
       from = "repeats";
     else if (table.kind == TableKind::trace && fast.count >= enough)
       sd = fast.sd, from = "high frequencies";
+    else if ((sd = scatter_of_repeated_rows(samples, residual, t)) > 0)
+      from = "repeats";
     else if ((sd = scatter_of_series(samples, residual, t)) > 0)
       from = "neighbouring rows";
     if (from.empty() || (!by_row && !(sd > 0))) {
