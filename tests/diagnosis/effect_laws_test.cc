@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "core/shear_moduli.h"
 #include "diagnosis/catalogue/effect.h"
@@ -200,128 +199,6 @@ TEST(AdhesionHysteresis_analytic, lies_under_a_force_where_its_law_has_that_forc
     contact->accept(d);
   }
   EXPECT_TRUE(std::isnan(contact->displacement(-1.01 * opening)));
-}
-
-/// Friction limit that an effect leaves of 0.2 under a sample.
-double changed(const std::string& id, const std::vector<double>& values, const Sample& sample,
-               double slip = 0, Motion mode = Motion::sliding) {
-  Mechanics m = assembled(test::experiment(mode), id, values);
-  SlipState state;
-  state.sample = &sample, state.speed = sample.speed, state.slip = slip;
-  double mu = 0.2;
-  for (auto& change : m.lateral.coefficient_changes) mu = change(mu, state);
-  return mu;
-}
-
-TEST(VelocityDependence_analytic, adds_the_same_for_every_factor_of_speed_down_to_a_tenth_of_the_slowest) {
-  Sample s;
-  const auto at = [&](double speed) { return s.speed = speed, changed("velocity_dependence", {0.01}, s); };
-  EXPECT_NEAR(at(std::sqrt(1e-6 * 1e-5)), 0.2, 1e-12);  // the geometric mean of the recorded speeds
-  EXPECT_NEAR(at(1e-5) - at(1e-6), 0.01 * std::log(10), 1e-12);
-  EXPECT_NEAR(at(1e-7), 0.2 + 0.01 * std::log(1e-7 / std::sqrt(1e-11)), 1e-12);
-  EXPECT_EQ(at(1e-9), at(1e-7));
-  EXPECT_EQ(at(0), at(1e-7));
-}
-
-TEST(ViscousRolling_analytic, adds_in_proportion_to_speed) {
-  Sample s;
-  s.speed = 2e-5;
-  EXPECT_NEAR(changed("viscous_rolling", {300}, s, 0, Motion::rolling), 0.206, 1e-12);
-  s.speed = 0;
-  EXPECT_EQ(changed("viscous_rolling", {300}, s, 0, Motion::rolling), 0.2);
-}
-
-TEST(StaticFrictionPeak_analytic, decays_with_the_path_slipped) {
-  const Sample s;
-  EXPECT_NEAR(changed("static_friction_peak", {1.5, 20 * nm}, s, 0), 0.3, 1e-12);
-  EXPECT_NEAR(changed("static_friction_peak", {1.5, 20 * nm}, s, 20 * nm), 0.2 * (1 + 0.5 * std::exp(-1)),
-              1e-12);
-  EXPECT_NEAR(changed("static_friction_peak", {1.5, 20 * nm}, s, 1000 * nm), 0.2, 1e-12);
-}
-
-TEST(RunIn_analytic, fades_with_cycles_and_their_parts) {
-  Sample s;
-  EXPECT_NEAR(changed("run_in", {0.5, 2}, s), 0.3, 1e-12);
-  s.cycle = 1, s.cycle_part = 0.5;
-  EXPECT_NEAR(changed("run_in", {0.5, 2}, s), 0.2 * (1 + 0.5 * std::exp(-0.75)), 1e-12);
-  EXPECT_NEAR(changed("run_in", {-0.5, 2}, s), 0.2 * (1 - 0.5 * std::exp(-0.75)), 1e-12);
-}
-
-TEST(RoughnessDependentRolling_analytic, falls_from_b_plus_c_of_a_smooth_plane_to_b) {
-  Sample s;
-  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Motion::rolling), 0.4, 1e-12);
-  s.rms_roughness = 4 * nm;
-  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Motion::rolling),
-              0.1 + 0.3 * std::exp(-2), 1e-12);
-  s.rms_roughness = 1000 * nm;
-  EXPECT_NEAR(changed("roughness_dependent_rolling", {0.1, 0.3, 2 * nm}, s, 0, Motion::rolling), 0.1, 1e-12);
-}
-
-/// mu = mu0 + a ln(v/v0) + b ln(v0 theta/L); at rest in time theta = L/v, and after a step over L it decays
-/// by exp(-v t/L).
-TEST(RateAndState_analytic, is_steady_at_a_minus_b_and_relaxes_over_its_slip_distance) {
-  const Experiment e = test::experiment(Motion::sliding);
-  const double a = 0.02, b = 0.05, L = 10 * nm, reference = std::sqrt(e.slowest * e.fastest);
-  Mechanics m = assembled(e, "rate_and_state", {a, b, L});
-  auto& change = m.lateral.coefficient_changes.at(0);
-  Sample s;
-  SlipState state;
-  state.sample = &s;
-  const auto at = [&](double speed, double time_step) {
-    state.speed = speed, state.time_step = time_step;
-    return change(0.2, state);
-  };
-  const double before = 0.2 + (a - b) * std::log(1e-6 / reference),
-               after = 0.2 + (a - b) * std::log(1e-5 / reference);
-  EXPECT_NEAR(at(1e-6, 0), before, 1e-12);
-  for (int i = 0; i < 5; ++i) EXPECT_NEAR(at(1e-6, 1e-3), before, 1e-12);
-  EXPECT_NEAR(at(1e-5, 0), before + a * std::log(10), 1e-12);
-  double last = before + a * std::log(10);
-  for (int i = 0; i < 20; ++i) {
-    const double now = at(1e-5, 0.2 * L / 1e-5);
-    EXPECT_LT(now, last);
-    last = now;
-  }
-  for (int i = 0; i < 100; ++i) last = at(1e-5, 0.2 * L / 1e-5);
-  EXPECT_NEAR(last, after, 1e-9);
-}
-
-TEST(StickSlip_analytic, is_a_saw_tooth_about_the_limit_counted_from_the_middle_of_the_stroke) {
-  Experiment e = test::experiment(Motion::sliding);
-  Mechanics m = assembled(e, "stick_slip", {4 * uN, 10 * nm});
-  const auto& change = m.lateral.limit_changes.at(0);
-  SlipState state;
-  const auto at = [&](double path) { return state.path = path, change(100 * uN, state); };
-  const double middle = e.stroke / 2;
-  EXPECT_NEAR(at(middle + 2.5 * nm), 100 * uN - 1 * uN, 1e-12);  // a quarter of the rise from -2 uN
-  EXPECT_NEAR(at(middle + 5 * nm), 100 * uN, 1e-12);
-  EXPECT_NEAR(at(middle + 15 * nm), at(middle + 5 * nm), 1e-12);
-  EXPECT_NEAR(at(middle - 5 * nm), at(middle + 5 * nm), 1e-12);
-  EXPECT_EQ(at(0), 100 * uN);  // before sliding there are no events
-}
-
-/// A saw-tooth in both directions.
-TEST(StickSlip_analytic, reads_period_and_amplitude_off_the_residuals) {
-  const double amplitude = 3 * uN, period = 9 * nm;
-  Samples samples = test::lateral_path(1e-3, {0, 200 * nm, 0}, 800);
-  samples.parts = 2;
-  std::vector<double> residual;
-  std::mt19937 random(21);
-  std::normal_distribution<double> noise(0, 0.1 * amplitude);
-  for (std::size_t i = 0; i < samples.list.size(); ++i) {
-    Sample& s = samples.list[i];
-    s.part = i < 800 ? 0 : 1;
-    s.since_reversal = i < 800 ? s.lateral_displacement : 200 * nm - s.lateral_displacement;
-    const double part = s.since_reversal / period;
-    residual.push_back(s.direction * amplitude * (part - std::floor(part) - 0.5) + noise(random));
-  }
-  const auto starts = effect_of("stick_slip").starts(samples, residual);
-  ASSERT_GE(starts.size(), 1u);
-  EXPECT_NEAR(starts[0][0] / amplitude, 1, 0.1);
-  EXPECT_NEAR(starts[0][1] / period, 1, 0.02);
-  Samples few = test::lateral_path(1e-3, {0, 10 * nm}, 10);
-  few.parts = 1;
-  EXPECT_TRUE(effect_of("stick_slip").starts(few, std::vector<double>(10, 0.0)).empty());
 }
 
 TEST(SeriesParts_analytic, take_displacement_by_their_formulas) {
