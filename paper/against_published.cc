@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "paper/published_column.h"
 
 namespace asperity {

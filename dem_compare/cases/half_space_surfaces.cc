@@ -115,15 +115,4 @@ std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, 
   return numbers;
 }
 
-std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& name) {
-  std::vector<SolvedNumber> numbers;
-  for (const auto& solved : set.cases) {
-    const EffectiveNumber number = solved.effective(name);
-    if (solved.motion() != Motion::normal || !(number.value > 0) || solved.history.size() == 0) continue;
-    const auto& forces = solved.history.normal_force;
-    numbers.push_back({&solved, *std::max_element(forces.begin(), forces.end()), number.value, number.sd});
-  }
-  return by_half_spaces(numbers, name);
-}
-
 }  // namespace asperity

@@ -24,7 +24,4 @@ struct SolvedNumber {
 /// Throws InputError for a previews.json that cannot be read or is of other inputs than the cases beside it.
 std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, const std::string& name);
 
-/// Of a number of `effective` of the pressed cases of a set, such as "normal_stiffness", under the same name.
-std::vector<CaseNumber> by_half_spaces(const ParameterSet& set, const std::string& name);
-
 }  // namespace asperity

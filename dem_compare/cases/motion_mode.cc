@@ -14,7 +14,6 @@ const MotionMode& sliding_mode() {
                                true,
                                false,
                                1,
-                               sliding_partial_slip,
                                &ContactParameters::sliding_friction,
                                &ContactParameters::sliding_offset,
                                &ContactParameters::lateral_stiffness};
@@ -33,7 +32,6 @@ const MotionMode& torsion_mode() {
                                false,
                                true,
                                3,
-                               torsion_partial_slip,
                                &ContactParameters::torsion_friction,
                                &ContactParameters::torsion_offset,
                                &ContactParameters::torsion_stiffness};
@@ -52,7 +50,6 @@ const MotionMode& rolling_mode() {
                                false,
                                true,
                                1,
-                               no_partial_slip,
                                &ContactParameters::rolling_friction,
                                &ContactParameters::rolling_offset,
                                &ContactParameters::rolling_stiffness};

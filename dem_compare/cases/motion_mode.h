@@ -1,12 +1,10 @@
-// Sliding, torsion and rolling: where a history has them, what result.json and parameters.json call them, and
-// the field's law of their partial slip.
+// Sliding, torsion and rolling: where a history has them, and what result.json and parameters.json call them.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "core/motion.h"
-#include "dem_compare/cases/steady_motion.h"
 #include "engines/parameters/contact_parameters.h"
 #include "results/history.h"
 
@@ -27,7 +25,6 @@ struct MotionMode {
   bool has_length;         ///< mu lambda (f + h) instead of mu (f + h)
   double
       stiffness_exponent;  ///< of the contact radius: Mindlin 1949, Reissner & Sagoci 1944; rolling: assumed
-  PartialSlip partial_slip;
   std::optional<EffectiveQuantity> ContactParameters::*friction;
   std::optional<EffectiveQuantity> ContactParameters::*offset;
   std::optional<EffectiveQuantity> ContactParameters::*stiffness;

@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "core/steady_motion.h"
-#include "dem_compare/cases/block_averages.h"
 #include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/cases/steady_motion.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
@@ -49,6 +48,19 @@ void add_drift_of_force(const Values& forces, double direction, SteadyPath& stea
                        second = correlated_mean({forces.begin() + half, forces.end()});
   steady.drift = direction * (second.mean - first.mean) / steady.force.value;
   steady.drift_error = std::hypot(first.standard_error, second.standard_error) / std::abs(steady.force.value);
+}
+
+ReversalStiffness reversal_of(const EnergyHistory& history, const PathOfMotion& motion,
+                              const MovingCase& moving) {
+  if (!moving.reached()) return {};
+  const double steady = moving.resistance().value;
+  if (!motion.rolls() || !moving.has_energies())
+    return reversal_stiffness(history.position, history.resistance, steady, partial_slip_of(motion.kind));
+  ReversalStiffness reversal = rolling_stiffness(history.position, history.resistance, steady);
+  if (moving.largest_contact_radius > 0)
+    reversal.error = std::hypot(reversal.error, rolling_stiffness_mesh_error * moving.spacing /
+                                                    moving.largest_contact_radius * reversal.value);
+  return reversal;
 }
 
 std::string seeds_of(const SolvedCase& solved) {
@@ -166,6 +178,8 @@ MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, c
   moving.spacing = solved.interface_spacing();
   if (history.size() == 0) return moving;
   moving.load = *std::max_element(history.normal_force.begin(), history.normal_force.end());
+  moving.largest_contact_radius =
+      *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
   const MotionRows rows = rows_of(history, motion);
   bool is_first = true;
   for (const auto& leg : motion_legs(history.position)) {
@@ -188,6 +202,7 @@ MovingCase moving_case(const SolvedCase& solved, const EnergyHistory& history, c
     }
     is_first = false;
   }
+  moving.reversal = reversal_of(history, motion, moving);
   return moving;
 }
 

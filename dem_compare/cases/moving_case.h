@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "dem_compare/cases/energy_history.h"
+#include "dem_compare/cases/reversal_stiffness.h"
 #include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
@@ -67,14 +68,20 @@ struct MovingCase {
   double load = 0;                              ///< [N]
   double spacing = 0;                           ///< of the interface's mesh [m]
   double contact_radius = 0, contact_area = 0;  ///< as solved, mean over the steady path [m], [m^2]
+  double largest_contact_radius = nan("");      ///< of the whole history [m]
   double path_in_radii = 0;                     ///< steady first path; of torsion that of the rim
   SteadyPath first, back;
+  /// After a reversal [N/m] or [N m/rad]; of rolling, where energies are told, as a second pass, the mesh's
+  /// part in its error.
+  ReversalStiffness reversal;
 
   bool reached() const { return first.reached(); }
   bool has_energies() const { return std::isfinite(first.dissipated.total.value); }
   /// The steady resistance: what is dissipated on the first path; without energies the mean force of both
   /// paths.
   Uncertain resistance() const;
+  /// [m] or [rad] on which the resistance is known.
+  double steady_length() const { return first.path + (has_energies() || !back.reached() ? 0 : back.path); }
 };
 
 /// What the position in a history means.

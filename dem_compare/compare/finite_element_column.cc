@@ -5,8 +5,6 @@
 
 #include "dem_compare/cases/moving_case.h"
 #include "dem_compare/cases/parameter_sets.h"
-#include "dem_compare/cases/steady_motion.h"
-#include "dem_compare/derive/rolling_stiffness.h"
 
 namespace asperity {
 namespace {
@@ -142,9 +140,7 @@ std::vector<FiniteElementPoint> finite_element_points(const CaseCollection& coll
       const auto moving =
           solved.motion() == Motion::rolling ? moving_case(solved, rolling_mode()) : MovingCase{};
       if (!moving.reached() || !moving.has_energies()) return effective(solved, "rolling_stiffness");
-      const ReversalStiffness back = rolling_stiffness(
-          solved.history.rolling_angle, solved.history.rolling_moment, moving.resistance().value);
-      return {back.value, back.error};
+      return {moving.reversal.value, moving.reversal.error};
     });
     add(points, g, group, Quantity::rolling_friction, load, [&](const SolvedCase& solved) {
       return steady_over_load(solved, rolling_mode(), radius,

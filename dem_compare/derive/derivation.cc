@@ -10,6 +10,7 @@
 #include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
+#include "dem_compare/derive/reduced_case.h"
 #include "dem_compare/laws/hertzian_torsion.h"
 #include "results/energy_balance.h"
 #include "results/region_edge.h"
@@ -27,29 +28,41 @@ ContactBody body_of(const ElasticBody& body, double radius) {
   return contact;
 }
 
-Json cases_json(const ParameterSet& set) {
-  Json cases = Json::array();
-  for (const auto& solved : set.cases) {
-    double load = 0;
-    for (const double force : solved.history.normal_force) load = std::max(load, force);
-    Json entry{{"folder", solved.folder.string()},
-               {"experiment", name_of(solved.motion())},
-               {"load", load},
-               {"realisation", realisation_of(solved)}};
-    if (std::isfinite(solved.interface_spacing())) entry["interface_spacing"] = solved.interface_spacing();
-    if (!solved.version().empty()) entry["asperity"] = solved.version();
-    if (std::isfinite(solved.open_energy())) entry["open_energy"] = solved.open_energy();
-    cases.push_back(std::move(entry));
+Json cases_json(const ReducedCases& cases) {
+  Json all = Json::array();
+  for (const ReducedCase& one : cases) {
+    Json entry{{"folder", one.folder()},
+               {"experiment", name_of(one.motion)},
+               {"load", std::max(0.0, one.largest_force)},
+               {"realisation", one.realisation}};
+    if (std::isfinite(one.spacing)) entry["interface_spacing"] = one.spacing;
+    if (!one.solved->version().empty()) entry["asperity"] = one.solved->version();
+    if (std::isfinite(one.solved->open_energy())) entry["open_energy"] = one.solved->open_energy();
+    all.push_back(std::move(entry));
   }
-  return cases;
+  return all;
 }
 
 /// Which versions solved the cases, for the provenance of what they told.
-std::vector<std::string> versions_of(const ParameterSet& set) {
+std::vector<std::string> versions_of(const ReducedCases& cases) {
   std::set<std::string> versions;
-  for (const auto& solved : set.cases)
-    if (!solved.version().empty()) versions.insert(solved.version());
+  for (const ReducedCase& one : cases)
+    if (!one.solved->version().empty()) versions.insert(one.solved->version());
   return {versions.begin(), versions.end()};
+}
+
+/// The record of what was derived from what, and what is in doubt.
+void write_record(const ReducedCases& cases, Derivation& derivation) {
+  for (auto& [member, origin] : derivation.origins)
+    if ((derivation.parameters.*member)->load_range)
+      origin.push_back({Origin::From::solver, unknown, joined(versions_of(cases), ", ")});
+  Json& record = derivation.parameters.derivation;
+  for (const auto& [entry, value] : derivation.inputs) record["inputs"][entry] = value;
+  record["cases"] = cases_json(cases);
+  for (const ReducedCase& one : cases)
+    for (const std::string& doubt : {open_energy_words(*one.solved), region_edge_words(*one.solved)})
+      if (!doubt.empty()) record["in_doubt"].push_back(one.folder() + ": " + doubt);
+  for (const LawFindings& law : derivation.laws) record[name_of(law.motion())] = law.details;
 }
 
 /// G* of the materials where no sliding case told one: an engine's laws need it.
@@ -87,23 +100,14 @@ Derivation derive_parameters(const ParameterSet& set) {
   parameters.target = body_of(first.substrate(), std::numeric_limits<double>::infinity());
   parameters.particle.rms = first.entries.topography("Particle").rms();
   parameters.target.rms = first.entries.topography("Substrate").rms();
-  derive_normal(set, derivation);
-  derive_motion(set, sliding_mode(), derivation);
+  const ReducedCases cases = reduced_cases(set);
+  derive_normal(cases, derivation);
+  derive_motion(cases, sliding_mode(), derivation);
   complete_shear_modulus(first, derivation);
-  derive_motion(set, torsion_mode(), derivation);
+  derive_motion(cases, torsion_mode(), derivation);
   compare_torsion_with_sliding(parameters, derivation.laws.back());
-  derive_motion(set, rolling_mode(), derivation);
-
-  for (auto& [member, origin] : derivation.origins)
-    if ((parameters.*member)->load_range)
-      origin.push_back({Origin::From::solver, unknown, joined(versions_of(set), ", ")});
-  Json& record = parameters.derivation;
-  for (const auto& [entry, value] : set.inputs) record["inputs"][entry] = value;
-  record["cases"] = cases_json(set);
-  for (const auto& solved : set.cases)
-    for (const std::string& doubt : {open_energy_words(solved), region_edge_words(solved)})
-      if (!doubt.empty()) record["in_doubt"].push_back(solved.folder.string() + ": " + doubt);
-  for (const LawFindings& law : derivation.laws) record[name_of(law.motion())] = law.details;
+  derive_motion(cases, rolling_mode(), derivation);
+  write_record(cases, derivation);
   return derivation;
 }
 

@@ -12,47 +12,17 @@ using About = OpenQuestion::About;
 using From = Origin::From;
 using P = ContactParameters;
 
-/// A case that yielded and was unloaded.
-struct YieldedCase {
-  const SolvedCase* solved = nullptr;
-  LoadUnload curve;
-};
-
-/// First loading and first unloading of the steps that bear; empty without either.
-std::optional<LoadUnload> curve_of(const SolvedCase& solved) {
-  const History& history = solved.history;
-  if (solved.motion() != Motion::normal || history.size() == 0) return std::nullopt;
-  if (!(*std::max_element(history.plastic_volume.begin(), history.plastic_volume.end()) > 0))
-    return std::nullopt;
-  LoadUnload curve;
-  for (const HistoryBranch& branch : history_branches(history)) {
-    const bool loads = branch.kind == HistoryBranch::Kind::loading;
-    if (branch.kind == HistoryBranch::Kind::hold) continue;
-    if (loads != (curve.loading == 0)) return std::nullopt;  // another order
-    for (std::size_t i = branch.first; i <= branch.last; ++i) {
-      const bool is_turning_point = !loads && i == branch.first;
-      if (is_turning_point || (loads && !(history.normal_force[i] > 0))) continue;
-      curve.approach.push_back(history.normal_displacement[i]);
-      curve.force.push_back(history.normal_force[i]);
-    }
-    if (!loads) return curve;
-    curve.loading = curve.force.size();
-    if (curve.loading == 0) return std::nullopt;
-  }
-  return std::nullopt;
-}
-
 /// The fits of one law to all cases at the largest load.
 template <class Law>
 struct Fits {
   std::vector<ElastoplasticFit<Law>> fits;
   std::vector<CaseNumber> numbers;  ///< of the second parameter
 
-  void add(const YieldedCase& yielded, const std::optional<ElastoplasticFit<Law>>& fit, double Law::*second) {
+  void add(const ReducedCase& reduced, const std::optional<ElastoplasticFit<Law>>& fit, double Law::*second) {
     if (!fit) return;
     fits.push_back(*fit);
-    numbers.push_back({yielded.curve.largest_force(), realisation_of(*yielded.solved),
-                       yielded.solved->interface_spacing(), fit->law.*second, fit->second_sd});
+    numbers.push_back({reduced.yielded->largest_force(), reduced.realisation, reduced.spacing,
+                       fit->law.*second, fit->second_sd});
   }
   /// Keeps one of each realisation, on one mesh.
   void count_once() {
@@ -91,7 +61,7 @@ ElastoplasticErrors errors_of(const ElastoplasticQuality& quality, double load) 
 
 /// Mean over the cases fitted, then the law of mean parameters at each smaller load.
 template <class Law>
-void judge(const Fits<Law>& fits, const Law& law, const std::vector<YieldedCase>& smaller,
+void judge(const Fits<Law>& fits, const Law& law, const std::vector<LoadUnload>& smaller,
            ElastoplasticFact& fact) {
   ElastoplasticErrors mean;
   const double share = 1 / static_cast<double>(fits.fits.size());
@@ -110,8 +80,8 @@ void judge(const Fits<Law>& fits, const Law& law, const std::vector<YieldedCase>
   fact.errors.push_back(mean);
   double offset = 0;
   for (const auto& fit : fits.fits) offset += share * fit.offset;
-  for (const YieldedCase& yielded : smaller)
-    fact.errors.push_back(errors_of(quality_of(law, yielded.curve, offset), yielded.curve.largest_force()));
+  for (const LoadUnload& curve : smaller)
+    fact.errors.push_back(errors_of(quality_of(law, curve, offset), curve.largest_force()));
 }
 
 /// What the record holds of a parameter.
@@ -142,7 +112,7 @@ nlohmann::ordered_json to_json(const ElastoplasticFact& fact) {
 }
 
 void derive_thornton_ning(const Fits<ThorntonNing>& fits, double radius,
-                          const std::vector<YieldedCase>& smaller, ElastoplasticFact fact,
+                          const std::vector<LoadUnload>& smaller, ElastoplasticFact fact,
                           Derivation& derivation, LawFindings& findings) {
   using Fit = ElastoplasticFit<ThorntonNing>;
   const Uncertain modulus = fits.mean(&ThorntonNing::reduced_modulus, &Fit::first_sd),
@@ -159,7 +129,7 @@ void derive_thornton_ning(const Fits<ThorntonNing>& fits, double radius,
   findings.found.push_back(fact);
 }
 
-void derive_luding(const Fits<Luding>& fits, double radius, const std::vector<YieldedCase>& smaller,
+void derive_luding(const Fits<Luding>& fits, double radius, const std::vector<LoadUnload>& smaller,
                    ElastoplasticFact fact, Derivation& derivation, LawFindings& findings) {
   using Fit = ElastoplasticFit<Luding>;
   const Uncertain k1 = fits.mean(&Luding::loading_stiffness, &Fit::first_sd),
@@ -179,32 +149,23 @@ void derive_luding(const Fits<Luding>& fits, double radius, const std::vector<Yi
 
 }  // namespace
 
-void derive_elastoplastic(const ParameterSet& set, Derivation& derivation, LawFindings& findings) {
-  std::vector<YieldedCase> yielded;
-  bool any_yielded = false;
+void derive_elastoplastic(const ReducedCases& cases, Derivation& derivation, LawFindings& findings) {
+  if (std::none_of(cases.begin(), cases.end(), [](const ReducedCase& one) { return one.yields(); })) return;
   double largest = 0;
-  for (const auto& solved : set.cases) {
-    const auto& volume = solved.history.plastic_volume;
-    any_yielded = any_yielded || std::any_of(volume.begin(), volume.end(), [](double v) { return v > 0; });
-    if (auto curve = curve_of(solved)) {
-      largest = std::max(largest, curve->largest_force());
-      yielded.push_back({&solved, std::move(*curve)});
-    }
-  }
-  if (!any_yielded) return;
+  for (const ReducedCase& one : cases)
+    if (one.yielded) largest = std::max(largest, one.yielded->largest_force());
   Fits<ThorntonNing> thornton_ning;
   Fits<Luding> luding;
-  std::vector<YieldedCase> smaller;
-  for (const YieldedCase& one : yielded) {
-    if (!same_load(one.curve.largest_force(), largest)) {
-      smaller.push_back(one);
+  std::vector<LoadUnload> smaller;
+  for (const ReducedCase& one : cases) {
+    if (!one.yielded) continue;
+    if (!same_load(one.yielded->largest_force(), largest)) {
+      smaller.push_back(*one.yielded);
       continue;
     }
-    const Hertz hertz = one.solved->hertz();
-    thornton_ning.add(one, fit_thornton_ning(one.curve, hertz, one.solved->is_rough()),
+    thornton_ning.add(one, fit_thornton_ning(*one.yielded, one.hertz, one.is_rough),
                       &ThorntonNing::yield_pressure);
-    luding.add(one, fit_luding(one.curve, hertz.radius, one.solved->is_rough()),
-               &Luding::unloading_stiffness);
+    luding.add(one, fit_luding(*one.yielded, one.hertz.radius, one.is_rough), &Luding::unloading_stiffness);
   }
   thornton_ning.count_once(), luding.count_once();
   ElastoplasticFact fact;

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "dem_compare/derive/derivation.h"
+#include "dem_compare/derive/reduced_case.h"
 
 namespace asperity {
 
 /// Sets unloading_modulus and yield_pressure (Thornton & Ning) and luding_*, and adds what was found; nothing
 /// where no case has yielded.
-void derive_elastoplastic(const ParameterSet& set, Derivation& derivation, LawFindings& findings);
+void derive_elastoplastic(const ReducedCases& cases, Derivation& derivation, LawFindings& findings);
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "dem_compare/cases/normal_numbers.h"
 #include "dem_compare/numbers/least_squares.h"
+#include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
 namespace {

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/cases/half_space_surfaces.h"
-#include "dem_compare/cases/moving_case.h"
-#include "dem_compare/derive/rolling_stiffness.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
@@ -14,47 +11,13 @@ namespace {
 using About = OpenQuestion::About;
 using From = Origin::From;
 
-/// One case of the mode.
-struct MotionCase {
-  const SolvedCase* solved = nullptr;
-  MovingCase moving;  ///< its steady resistance
-  double load = 0, contact_radius = unknown;
-  ReversalStiffness reversal;
-  double probed_stiffness = unknown, probed_sd = unknown;  ///< by `solve`, without slip
+/// Cases of one mode, by load.
+using MovedCases = std::vector<const ReducedCase*>;
 
-  Uncertain resistance() const { return moving.resistance(); }
-  double path() const {
-    return moving.first.path + (moving.has_energies() || !moving.back.reached() ? 0 : moving.back.path);
-  }
-  CaseNumber number(double value, double sd) const {
-    return {load, realisation_of(*solved), solved->interface_spacing(), value, sd};
-  }
-};
+Uncertain resistance_of(const ReducedCase& item) { return item.moving->resistance(); }
 
-MotionCase observe(const SolvedCase& solved, const MotionMode& mode) {
-  MotionCase seen;
-  seen.solved = &solved;
-  const EnergyHistory history = energy_history(solved, mode);
-  if (history.size() == 0) return seen;
-  seen.moving = moving_case(solved, history, path_of(mode, solved.hertz().radius));
-  seen.load = seen.moving.reached()
-                  ? seen.moving.load
-                  : *std::max_element(history.normal_force.begin(), history.normal_force.end());
-  seen.contact_radius = *std::max_element(history.contact_radius.begin(), history.contact_radius.end());
-  if (seen.moving.reached()) {
-    const double steady = seen.resistance().value;
-    const bool by_topography = &mode == &rolling_mode() && seen.moving.has_energies();
-    seen.reversal = by_topography
-                        ? rolling_stiffness(history.position, history.resistance, steady)
-                        : reversal_stiffness(history.position, history.resistance, steady, mode.partial_slip);
-    if (by_topography && seen.contact_radius > 0)
-      seen.reversal.error =
-          std::hypot(seen.reversal.error, rolling_stiffness_mesh_error * solved.interface_spacing() /
-                                              seen.contact_radius * seen.reversal.value);
-  }
-  const EffectiveNumber probed = solved.effective(mode.stiffness_key);
-  seen.probed_stiffness = probed.value, seen.probed_sd = probed.sd;
-  return seen;
+CaseNumber number_of(const ReducedCase& item, double value, double sd) {
+  return {item.moving->load, item.realisation, item.spacing, value, sd};
 }
 
 void find_test_of_law(const ResistanceLaw& law, LawFindings& findings) {
@@ -67,29 +30,27 @@ void find_test_of_law(const ResistanceLaw& law, LawFindings& findings) {
 }
 
 /// Stiffness of a contact that was only pressed: `solve` probes it in each direction at the largest load.
-std::vector<CaseNumber> probed_when_pressed(const ParameterSet& set, const MotionMode& mode) {
+std::vector<CaseNumber> probed_when_pressed(const ReducedCases& cases, const MotionMode& mode) {
   std::vector<CaseNumber> probed;
-  for (const auto& solved : set.cases) {
-    if (solved.motion() != Motion::normal || solved.history.size() == 0) continue;
-    const EffectiveNumber number = solved.effective(mode.stiffness_key);
-    if (!(number.value > 0)) continue;
-    const auto& forces = solved.history.normal_force;
-    probed.push_back({*std::max_element(forces.begin(), forces.end()), realisation_of(solved),
-                      solved.interface_spacing(), number.value, number.sd});
+  for (const auto& reduced : cases) {
+    const CaseNumber number = reduced.effective(mode.stiffness_key);
+    if (reduced.is_pressed() && number.value > 0) probed.push_back(number);
   }
-  for (const auto& number : by_half_spaces(set, mode.stiffness_key)) probed.push_back(number);
+  for (const auto& number : by_half_spaces(cases, mode.stiffness_key)) probed.push_back(number);
   return probed;
 }
 
-void derive_stiffness(const ParameterSet& set, const std::vector<MotionCase>& seen, Derivation& derivation,
+void derive_stiffness(const ReducedCases& cases, const MovedCases& seen, Derivation& derivation,
                       LawFindings& findings) {
   const MotionMode& mode = *findings.mode;
-  std::vector<CaseNumber> probed = probed_when_pressed(set, mode), reversed;
+  std::vector<CaseNumber> probed = probed_when_pressed(cases, mode), reversed;
   bool has_energies = false;
-  for (const auto& item : seen) {
-    has_energies = has_energies || item.moving.has_energies();
-    if (item.probed_stiffness > 0) probed.push_back(item.number(item.probed_stiffness, item.probed_sd));
-    if (item.reversal.value > 0) reversed.push_back(item.number(item.reversal.value, item.reversal.error));
+  for (const ReducedCase* item : seen) {
+    has_energies = has_energies || item->moving->has_energies();
+    const CaseNumber stated = item->effective(mode.stiffness_key);
+    if (stated.value > 0) probed.push_back(number_of(*item, stated.value, stated.sd));
+    const ReversalStiffness& reversal = item->moving->reversal;
+    if (reversal.value > 0) reversed.push_back(number_of(*item, reversal.value, reversal.error));
   }
   ContactParameters& parameters = derivation.parameters;
   const auto radius = [&](double load) { return parameters.contact_radius(load); };
@@ -115,28 +76,29 @@ void derive_stiffness(const ParameterSet& set, const std::vector<MotionCase>& se
   find_scatter_and_mesh(written, Derived::stiffness, findings);
   parameters.*mode.stiffness =
       EffectiveQuantity{law.value, law.sd, law.loads, LengthScale::contact_radius, law.at_load};
-  const Origin cases{From::cases, unknown, "", written};
-  auto& origin = derivation.origin_of(mode.stiffness) = {{From::stiffness, unknown, "", {}, source}, cases};
+  const Origin from_cases{From::cases, unknown, "", written};
+  auto& origin =
+      derivation.origin_of(mode.stiffness) = {{From::stiffness, unknown, "", {}, source}, from_cases};
   if (mode.stiffness_exponent != 1) origin.push_back({From::smooth_growth, mode.stiffness_exponent});
   if (&mode != &sliding_mode()) return;
   constexpr double mindlin = 8;
   const double to_modulus = 1 / (mindlin * radius(law.at_load));
   parameters.reduced_shear_modulus =
       EffectiveQuantity{law.value * to_modulus, law.sd * to_modulus, law.loads};
-  derivation.origin_of(&ContactParameters::reduced_shear_modulus) = {{From::lateral_stiffness}, cases};
+  derivation.origin_of(&ContactParameters::reduced_shear_modulus) = {{From::lateral_stiffness}, from_cases};
 }
 
 /// One fact per load.
-void find_resistances(const std::vector<const MotionCase*>& used, LawFindings& findings) {
+void find_resistances(const MovedCases& used, LawFindings& findings) {
   for (std::size_t i = 0; i < used.size();) {
     std::size_t end = i;
-    while (end < used.size() && same_load(used[end]->load, used[i]->load)) ++end;
+    while (end < used.size() && same_load(used[end]->moving->load, used[i]->moving->load)) ++end;
     const auto count = static_cast<double>(end - i);
-    MeanResistanceFact fact{findings.mode, used[i]->load, {0, 0}, static_cast<int>(end - i)};
+    MeanResistanceFact fact{findings.mode, used[i]->moving->load, {0, 0}, static_cast<int>(end - i)};
     double variance = 0;
     for (; i < end; ++i) {
-      const Uncertain resistance = used[i]->resistance();
-      const SteadyPath& path = used[i]->moving.first;
+      const Uncertain resistance = resistance_of(*used[i]);
+      const SteadyPath& path = used[i]->moving->first;
       fact.mean.value += resistance.value / count;
       variance += resistance.sd * resistance.sd / (count * count);
       fact.fluctuation += path.fluctuation / resistance.value / count;
@@ -147,21 +109,21 @@ void find_resistances(const std::vector<const MotionCase*>& used, LawFindings& f
   }
 }
 
-std::vector<std::string> folders_of(const std::vector<const MotionCase*>& cases) {
+std::vector<std::string> folders_of(const MovedCases& cases) {
   std::vector<std::string> folders;
-  for (const MotionCase* item : cases) folders.push_back(item->solved->folder.string());
+  for (const ReducedCase* item : cases) folders.push_back(item->folder());
   return folders;
 }
 
 /// What the paths of the cases were too short for.
-void find_short_paths(const std::vector<const MotionCase*>& used, LawFindings& findings) {
-  std::vector<const MotionCase*> changing;
+void find_short_paths(const MovedCases& used, LawFindings& findings) {
+  MovedCases changing;
   double shortest = std::numeric_limits<double>::infinity(), largest_drift = 0;
-  for (const MotionCase* item : used) {
-    shortest = std::min(shortest, item->path() / (2 * item->contact_radius));
-    if (!item->moving.first.still_changes()) continue;
+  for (const ReducedCase* item : used) {
+    shortest = std::min(shortest, item->moving->steady_length() / (2 * item->moving->largest_contact_radius));
+    if (!item->moving->first.still_changes()) continue;
     changing.push_back(item);
-    largest_drift = std::max(largest_drift, std::abs(item->moving.first.drift));
+    largest_drift = std::max(largest_drift, std::abs(item->moving->first.drift));
   }
   const MotionMode* mode = findings.mode;
   if (!changing.empty())
@@ -172,27 +134,28 @@ void find_short_paths(const std::vector<const MotionCase*>& used, LawFindings& f
     findings.open.push_back({About::long_paths, Derived::resistance, mode, shortest});
 }
 
-nlohmann::ordered_json moved_case_json(const MotionCase& item) {
-  return {{"folder", item.solved->folder.string()},
-          {"load", item.load},
-          {"mean", item.resistance().value},
-          {"standard_error", item.resistance().sd},
-          {"is_dissipation", item.moving.has_energies()},
-          {"fluctuation", item.moving.first.fluctuation},
-          {"independent_stretches", item.moving.first.independent},
-          {"way", item.path()},
-          {"drift", item.moving.first.drift}};
+nlohmann::ordered_json moved_case_json(const ReducedCase& item) {
+  const MovingCase& moving = *item.moving;
+  return {{"folder", item.folder()},
+          {"load", moving.load},
+          {"mean", moving.resistance().value},
+          {"standard_error", moving.resistance().sd},
+          {"is_dissipation", moving.has_energies()},
+          {"fluctuation", moving.first.fluctuation},
+          {"independent_stretches", moving.first.independent},
+          {"way", moving.steady_length()},
+          {"drift", moving.first.drift}};
 }
 
 /// Of torsion, whose moment where all slips is that of the pressures: more surfaces, as numbers and as points
 /// of the fit.
-double add_half_spaces(const std::vector<const MotionCase*>& used, const ContactParameters& parameters,
-                       LawFindings& findings, std::vector<CaseNumber>& all) {
+double add_half_spaces(const MovedCases& used, const ContactParameters& parameters, LawFindings& findings,
+                       std::vector<CaseNumber>& all) {
   if (findings.mode != &torsion_mode()) return 0;
   double shared = 0;
   std::vector<SolvedNumber> solved;
-  for (const MotionCase* item : used)
-    solved.push_back({item->solved, item->load, item->resistance().value, item->resistance().sd});
+  for (const ReducedCase* item : used)
+    solved.push_back({item->solved, item->moving->load, resistance_of(*item).value, resistance_of(*item).sd});
   for (const auto& number : by_half_spaces(solved, "slipping_moment")) {
     all.push_back(number);
     shared = std::max(shared, number.shared_sd / number.value);
@@ -202,14 +165,15 @@ double add_half_spaces(const std::vector<const MotionCase*>& used, const Contact
   return shared;
 }
 
-void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivation, LawFindings& findings) {
+void derive_resistance(const MovedCases& seen, Derivation& derivation, LawFindings& findings) {
   const MotionMode& mode = *findings.mode;
   ContactParameters& parameters = derivation.parameters;
   std::vector<CaseNumber> all;
-  std::vector<const MotionCase*> steady, sticking, used;
-  for (const auto& item : seen) {
-    (item.moving.reached() ? steady : sticking).push_back(&item);
-    if (item.moving.reached()) all.push_back(item.number(item.resistance().value, item.resistance().sd));
+  MovedCases steady, sticking, used;
+  for (const ReducedCase* item : seen) {
+    (item->moving->reached() ? steady : sticking).push_back(item);
+    if (item->moving->reached())
+      all.push_back(number_of(*item, resistance_of(*item).value, resistance_of(*item).sd));
   }
   if (!sticking.empty())
     findings.open.push_back({About::slip, Derived::resistance, &mode, unknown, folders_of(sticking)});
@@ -224,8 +188,8 @@ void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivati
   find_resistances(used, findings);
   find_short_paths(used, findings);
 
-  const bool is_dissipation = std::all_of(used.begin(), used.end(),
-                                          [](const MotionCase* item) { return item->moving.has_energies(); });
+  const bool is_dissipation = std::all_of(
+      used.begin(), used.end(), [](const ReducedCase* item) { return item->moving->has_energies(); });
   const From from = !is_dissipation            ? From::steady_resistance
                     : &mode == &sliding_mode() ? From::dissipation_per_length
                                                : From::dissipation_per_angle;
@@ -265,19 +229,20 @@ void derive_resistance(const std::vector<MotionCase>& seen, Derivation& derivati
 
 }  // namespace
 
-void derive_motion(const ParameterSet& set, const MotionMode& mode, Derivation& derivation) {
+void derive_motion(const ReducedCases& cases, const MotionMode& mode, Derivation& derivation) {
   LawFindings findings;
   findings.mode = &mode;
-  std::vector<MotionCase> seen;
-  for (const auto& solved : set.cases)
-    if (solved.motion() == mode.motion) seen.push_back(observe(solved, mode));
-  std::stable_sort(seen.begin(), seen.end(),
-                   [](const MotionCase& a, const MotionCase& b) { return a.load < b.load; });
+  MovedCases seen;
+  for (const auto& reduced : cases)
+    if (reduced.motion == mode.motion) seen.push_back(&reduced);
+  std::stable_sort(seen.begin(), seen.end(), [](const ReducedCase* a, const ReducedCase* b) {
+    return a->moving->load < b->moving->load;
+  });
   if (seen.empty()) {
     findings.open.push_back({About::experiment, Derived::resistance, &mode});
   } else {
     derive_resistance(seen, derivation, findings);
-    derive_stiffness(set, seen, derivation, findings);
+    derive_stiffness(cases, seen, derivation, findings);
   }
   derivation.laws.push_back(std::move(findings));
 }

@@ -5,10 +5,11 @@
 #pragma once
 
 #include "dem_compare/derive/derivation.h"
+#include "dem_compare/derive/reduced_case.h"
 
 namespace asperity {
 
 /// Sets reduced_modulus, normal_stiffness and pull_off_force, and adds what was found.
-void derive_normal(const ParameterSet& set, Derivation& derivation);
+void derive_normal(const ReducedCases& cases, Derivation& derivation);
 
 }  // namespace asperity

@@ -2,6 +2,19 @@
 
 namespace asperity {
 
+Uncertain operator+(const Uncertain& a, const Uncertain& b) {
+  return {a.value + b.value, std::hypot(a.sd, b.sd)};
+}
+Uncertain operator-(const Uncertain& a, const Uncertain& b) {
+  return {a.value - b.value, std::hypot(a.sd, b.sd)};
+}
+Uncertain operator*(const Uncertain& a, double factor) { return {a.value * factor, a.sd * std::abs(factor)}; }
+
+Uncertain ratio(const Uncertain& a, const Uncertain& b) {
+  const double value = a.value / b.value;
+  return {value, std::hypot(a.sd / b.value, value * b.sd / b.value)};
+}
+
 Uncertain propagate(const std::function<double(const std::vector<double>&)>& f,
                     const std::vector<Uncertain>& inputs) {
   constexpr double share_of_sd =

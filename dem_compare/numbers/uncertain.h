@@ -16,6 +16,12 @@ struct Uncertain {
   bool has_sd() const { return std::isfinite(sd); }
 };
 
+/// In quadrature; an unknown sd stays unknown.
+Uncertain operator+(const Uncertain& a, const Uncertain& b);
+Uncertain operator-(const Uncertain& a, const Uncertain& b);
+Uncertain operator*(const Uncertain& a, double factor);
+Uncertain ratio(const Uncertain& a, const Uncertain& b);
+
 /// f(inputs); the sd from its slopes at the inputs. Inputs without sd count as exact; none with sd: the
 /// result has none.
 Uncertain propagate(const std::function<double(const std::vector<double>&)>& f,

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/quantity.h"
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/resistance/paired_paths.h"
 
 namespace asperity {

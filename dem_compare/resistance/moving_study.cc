@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/cases/common_label.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/motion_program.h"
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/resistance/moving_study.h"

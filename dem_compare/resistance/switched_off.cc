@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/resistance/paired_paths.h"
 #include "dem_compare/resistance/roughness_trend.h"

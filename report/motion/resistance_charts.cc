@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "report/page/colour_scale.h"
 #include "report/page/display_units.h"
 #include "report/page/words.h"

@@ -2,7 +2,7 @@
 
 #include "core/csv.h"
 #include "core/joined.h"
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "report/page/json_numbers.h"
 #include "report/sentences/resistance_answers.h"
 

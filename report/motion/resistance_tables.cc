@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/printed.h"
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "report/page/display_units.h"
 #include "report/page/page.h"
 #include "report/page/words.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "report/sentences/phrases.h"
 #include "report/sentences/resistance_answers.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/printed.h"
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 
 namespace asperity::report {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/joined.h"
 #include "core/printed.h"
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "report/sentences/phrases.h"
 
 namespace asperity::report {

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "core/error.h"
-#include "dem_compare/derive/derivation.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -16,6 +15,17 @@ namespace {
 
 using nlohmann::json;
 using test::TemporaryFolder;
+
+/// Surfaces that half-spaces add to the pressed cases of a set.
+std::vector<CaseNumber> surfaces_beside(const ParameterSet& set, const char* name) {
+  std::vector<SolvedNumber> numbers;
+  for (const SolvedCase& solved : set.cases) {
+    const EffectiveNumber number = solved.effective(name);
+    if (number.value > 0)
+      numbers.push_back({&solved, solved.history.normal_force.back(), number.value, number.sd});
+  }
+  return by_half_spaces(numbers, name);
+}
 
 /// Two of five surfaces of each of two loads are solved; finite elements are 1.1 and 1.2 of half-spaces.
 class HalfSpaceSurfaces_analytic : public testing::Test {
@@ -57,7 +67,7 @@ class HalfSpaceSurfaces_analytic : public testing::Test {
 };
 
 TEST_F(HalfSpaceSurfaces_analytic, stand_for_the_unsolved_times_the_ratio_of_the_solved) {
-  const auto numbers = by_half_spaces(set, "normal_stiffness");
+  const auto numbers = surfaces_beside(set, "normal_stiffness");
   ASSERT_EQ(numbers.size(), 6u);
   for (const auto& number : numbers) {
     const int r = std::stoi(number.realisation.substr(number.realisation.find(' ')));
@@ -71,24 +81,24 @@ TEST_F(HalfSpaceSurfaces_analytic, stand_for_the_unsolved_times_the_ratio_of_the
     EXPECT_TRUE(number.by_half_spaces);
     EXPECT_EQ(number.spacing, 1e-8);
   }
-  EXPECT_TRUE(by_half_spaces(set, "torsion_stiffness").empty());
+  EXPECT_TRUE(surfaces_beside(set, "torsion_stiffness").empty());
 }
 
 TEST_F(HalfSpaceSurfaces_analytic, take_two_solved_surfaces_and_previews_of_the_same_inputs) {
   ParameterSet one = set;
   one.cases.erase(one.cases.begin() + 1);
-  EXPECT_EQ(by_half_spaces(one, "normal_stiffness").size(), 3u);  // of the other load alone
+  EXPECT_EQ(surfaces_beside(one, "normal_stiffness").size(), 3u);  // of the other load alone
   set.cases.front().result->document["inputs_sha256"] = "others";
-  EXPECT_THROW(by_half_spaces(set, "normal_stiffness"), InputError);
+  EXPECT_THROW(surfaces_beside(set, "normal_stiffness"), InputError);
   for (const char* damaged :
        {"{\"format\": \"asperity-previews/1\"}", "[1, 2]", "{\"format\": 3, \"cases\": []}",
         "{\"format\": \"asperity-previews/1\", \"cases\": [7]}",
         "{\"format\": \"asperity-previews/1\", \"cases\": [{\"name\": 4}]}", "{\"format\": "}) {
     folder.write("study/previews.json", damaged);
-    EXPECT_THROW(by_half_spaces(set, "normal_stiffness"), InputError) << damaged;
+    EXPECT_THROW(surfaces_beside(set, "normal_stiffness"), InputError) << damaged;
   }
   std::filesystem::remove(file);
-  EXPECT_TRUE(by_half_spaces(set, "normal_stiffness").empty());
+  EXPECT_TRUE(surfaces_beside(set, "normal_stiffness").empty());
 }
 
 }  // namespace

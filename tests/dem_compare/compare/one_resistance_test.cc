@@ -54,5 +54,21 @@ TEST(OneResistance_analytic, is_what_the_first_way_dissipates_for_derive_compare
   }
 }
 
+TEST(OneResistance_behaviour, rolling_stiffness_is_as_doubtful_to_compare_as_to_derive) {
+  const test::TemporaryFolder root;
+  const auto folder = test::write_moving(root.path / "case", yielding("rolling"));
+  const auto derived = derive_parameters(collect_parameter_sets({folder}).sets.front()).parameters;
+  ASSERT_TRUE(derived.rolling_stiffness && derived.rolling_stiffness->sd > 0);
+  const CaseCollection collection = collect_cases({folder});
+  bool found = false;
+  for (const auto& point : finite_element_points(collection, compare_with_hertz(collection, 0.05)))
+    if (point.quantity == Quantity::rolling_stiffness) {
+      found = true;
+      EXPECT_NEAR(point.value.value / derived.rolling_stiffness->value, 1, 1e-9);
+      EXPECT_NEAR(point.value.sd / derived.rolling_stiffness->sd, 1, 1e-9);
+    }
+  EXPECT_TRUE(found);
+}
+
 }  // namespace
 }  // namespace asperity

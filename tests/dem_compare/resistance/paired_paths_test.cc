@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "dem_compare/cases/block_averages.h"
+#include "dem_compare/cases/path_averages.h"
 #include "tests/support/verification.h"
 
 namespace asperity {

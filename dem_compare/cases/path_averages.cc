@@ -1,9 +1,9 @@
-#include "dem_compare/cases/steady_motion.h"
+#include "dem_compare/cases/path_averages.h"
+
+#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-#include "dem_compare/laws/lubkin_torsion.h"
 
 namespace asperity {
 namespace {
@@ -60,43 +60,47 @@ Values resampled_along(const Values& position, const Values& values, std::size_t
   return result;
 }
 
-double sliding_partial_slip(double share) {
-  if (share < std::sqrt(std::numeric_limits<double>::epsilon())) return 1;
-  return 1.5 / share * (1 - std::pow(1 - share, 2.0 / 3.0));
+double student_factor(double degrees_of_freedom) {
+  constexpr double two_sigma = 0.97724987;  // of one side
+  return boost::math::quantile(boost::math::students_t(std::max(1.0, degrees_of_freedom)), two_sigma) / 2;
 }
 
-double torsion_partial_slip(double share) {
-  // Of a contact with K = (16/3) Gt a^3 = 1.
-  const LubkinTorsion unit{3.0 / 16.0, 1, 1, 1};
-  const double moment = share * unit.full_slip_moment();
-  return moment > 0 ? unit.angle(moment) / moment : 1;
+Uncertain mean_of_blocks(const std::vector<double>& values) {
+  if (values.empty()) return {std::numeric_limits<double>::quiet_NaN()};
+  if (values.size() < 2) return {values.front()};
+  const CorrelatedMean mean = correlated_mean(values);
+  return {mean.mean, mean.standard_error * student_factor(mean.independent - 1)};
 }
 
-ReversalStiffness reversal_stiffness(const Values& x, const Values& y, double full_slip,
-                                     const PartialSlip& partial_slip) {
-  constexpr double most_of_full_slip = 0.95;
-  double sum = 0, error = 0;
-  int count = 0;
-  const auto legs = motion_legs(x);
-  for (std::size_t l = 1; l < legs.size(); ++l) {
-    const std::size_t turn = legs[l].first;
-    if (steady_onset({x, y, {}, {}, 0}, legs[l - 1]) > legs[l - 1].last || legs[l].last < turn + 2) continue;
-    double change[2], stiffness[2];
-    for (std::size_t i = 0; i < 2; ++i) {
-      change[i] = std::abs(y[turn + 1 + i] - y[turn]);
-      const double share = change[i] / (2 * full_slip);
-      stiffness[i] = share < most_of_full_slip
-                         ? change[i] / std::abs(x[turn + 1 + i] - x[turn]) * partial_slip(share)
-                         : std::numeric_limits<double>::quiet_NaN();
-    }
-    const double at_turn = stiffness[0] + (stiffness[0] - stiffness[1]) * change[0] / (change[1] - change[0]);
-    if (!std::isfinite(at_turn)) continue;
-    sum += at_turn;
-    error = std::max(error, std::abs(at_turn - stiffness[0]));
-    ++count;
+Uncertain mean_of_realisations(const std::vector<Uncertain>& values) {
+  double count = 0, sum = 0, own = 0;
+  for (const auto& value : values)
+    if (std::isfinite(value.value)) ++count, sum += value.value, own += value.sd * value.sd;
+  if (count == 0) return {std::numeric_limits<double>::quiet_NaN()};
+  double squares = 0;
+  for (const auto& value : values)
+    if (std::isfinite(value.value)) squares += std::pow(value.value - sum / count, 2);
+  const double of_scatter = count > 1 ? std::sqrt(squares / (count - 1) / count) : 0;
+  const double of_each = std::sqrt(own) / count;
+  return {sum / count, std::isfinite(of_each) ? std::max(of_each, of_scatter)
+                       : count > 2            ? of_scatter * student_factor(count - 1)
+                                              : std::numeric_limits<double>::quiet_NaN()};
+}
+
+std::vector<double> block_rates(const std::vector<double>& x, const std::vector<double>& sum,
+                                std::size_t first, std::size_t last, std::size_t count) {
+  const double length = (x[last] - x[first]) / static_cast<double>(count);
+  std::vector<double> rates;
+  std::size_t i = first;
+  double before = sum[first];
+  for (std::size_t k = 1; k <= count; ++k) {
+    const double end = k == count ? x[last] : x[first] + length * static_cast<double>(k);
+    while (i + 1 < last && (length > 0 ? x[i + 1] < end : x[i + 1] > end)) ++i;
+    const double here = sum[i] + (end - x[i]) / (x[i + 1] - x[i]) * (sum[i + 1] - sum[i]);
+    rates.push_back((here - before) / std::abs(length));
+    before = here;
   }
-  if (count == 0) return {};
-  return {sum / count, error};
+  return rates;
 }
 
 }  // namespace asperity

@@ -1,10 +1,13 @@
-#include "dem_compare/derive/rolling_stiffness.h"
+#include "dem_compare/cases/reversal_stiffness.h"
 
 #include <boost/math/interpolators/makima.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "core/steady_motion.h"
+#include "dem_compare/laws/lubkin_torsion.h"
 
 namespace asperity {
 namespace {
@@ -37,6 +40,51 @@ class PathOut {
 };
 
 }  // namespace
+
+double sliding_partial_slip(double share) {
+  if (share < std::sqrt(std::numeric_limits<double>::epsilon())) return 1;
+  return 1.5 / share * (1 - std::pow(1 - share, 2.0 / 3.0));
+}
+
+double torsion_partial_slip(double share) {
+  // Of a contact with K = (16/3) Gt a^3 = 1.
+  const LubkinTorsion unit{3.0 / 16.0, 1, 1, 1};
+  const double moment = share * unit.full_slip_moment();
+  return moment > 0 ? unit.angle(moment) / moment : 1;
+}
+
+PartialSlip partial_slip_of(Motion motion) {
+  if (motion == Motion::sliding) return sliding_partial_slip;
+  if (motion == Motion::torsion) return torsion_partial_slip;
+  return [](double) { return 1.0; };
+}
+
+ReversalStiffness reversal_stiffness(const std::vector<double>& x, const std::vector<double>& y,
+                                     double full_slip, const PartialSlip& partial_slip) {
+  constexpr double most_of_full_slip = 0.95;
+  double sum = 0, error = 0;
+  int count = 0;
+  const auto legs = motion_legs(x);
+  for (std::size_t l = 1; l < legs.size(); ++l) {
+    const std::size_t turn = legs[l].first;
+    if (steady_onset({x, y, {}, {}, 0}, legs[l - 1]) > legs[l - 1].last || legs[l].last < turn + 2) continue;
+    double change[2], stiffness[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+      change[i] = std::abs(y[turn + 1 + i] - y[turn]);
+      const double share = change[i] / (2 * full_slip);
+      stiffness[i] = share < most_of_full_slip
+                         ? change[i] / std::abs(x[turn + 1 + i] - x[turn]) * partial_slip(share)
+                         : std::numeric_limits<double>::quiet_NaN();
+    }
+    const double at_turn = stiffness[0] + (stiffness[0] - stiffness[1]) * change[0] / (change[1] - change[0]);
+    if (!std::isfinite(at_turn)) continue;
+    sum += at_turn;
+    error = std::max(error, std::abs(at_turn - stiffness[0]));
+    ++count;
+  }
+  if (count == 0) return {};
+  return {sum / count, error};
+}
 
 ReversalStiffness rolling_stiffness(const std::vector<double>& angle, const std::vector<double>& moment,
                                     double resistance) {

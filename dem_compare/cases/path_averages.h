@@ -1,12 +1,29 @@
-// Block averages along a path: means whose uncertainty comes from how blocks, or realisations of a surface,
-// differ.
+// Averages along a path and over realisations, with an uncertainty from how the values differ. SI units.
+// Neighbouring places of a path feel the same asperities: N values count as N_eff = N/(1 + 2 sum (1 - k/N)
+// rho_k) independent ones, rho_k the autocorrelation summed until it first vanishes (Bartlett 1946; Geyer
+// 1992), and the mean is known to s/(N_eff - 1)^(1/2). Holds for a path of many correlation lengths. What is
+// steady, and what resists, core/steady_motion.h defines.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "dem_compare/numbers/uncertain.h"
 
 namespace asperity {
+
+/// Mean of a correlated series, and what is known about it.
+struct CorrelatedMean {
+  double mean = 0, sd = 0;    ///< sd of the values
+  double standard_error = 0;  ///< of the mean
+  double independent = 0;     ///< N_eff
+};
+/// Of values at equal distances; needs two or more.
+CorrelatedMean correlated_mean(const std::vector<double>& values);
+
+/// Values between two rows of a monotonic path, at equal distances of a median step. Rows may rest.
+std::vector<double> resampled_along(const std::vector<double>& position, const std::vector<double>& values,
+                                    std::size_t first, std::size_t last);
 
 /// A standard error from few values is itself uncertain: factor that makes twice the error hold 95.4 % of
 /// cases (Student 1908), as two standard deviations of a normal distribution do.
@@ -24,11 +41,5 @@ Uncertain mean_of_realisations(const std::vector<Uncertain>& values);
 /// quantity that is summed up along the path grows over each, per length.
 std::vector<double> block_rates(const std::vector<double>& position, const std::vector<double>& sum,
                                 std::size_t first, std::size_t last, std::size_t count);
-
-/// In quadrature; an unknown sd stays unknown.
-Uncertain operator+(const Uncertain& a, const Uncertain& b);
-Uncertain operator-(const Uncertain& a, const Uncertain& b);
-Uncertain operator*(const Uncertain& a, double factor);
-Uncertain ratio(const Uncertain& a, const Uncertain& b);
 
 }  // namespace asperity

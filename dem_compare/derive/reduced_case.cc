@@ -1,0 +1,124 @@
+#include "dem_compare/derive/reduced_case.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "dem_compare/cases/normal_numbers.h"
+
+namespace asperity {
+namespace {
+
+std::optional<NormalFit> fit_of(const ReducedCase& reduced, const NormalNumbers& numbers) {
+  std::vector<double> approach, force;
+  for (const auto& point : numbers.loads) approach.push_back(point.approach), force.push_back(point.force);
+  // Asperities touch before the spheres would: only an offset gives back the stiffness of a rough contact.
+  const bool with_offset = reduced.is_rough;
+  const std::size_t fewest = with_offset ? 4 : 3;
+  if (force.size() < fewest) return std::nullopt;
+  const Hertz& hertz = reduced.hertz;
+  NormalFit fit;
+  try {
+    const RadiusFit radius = fit_radius(approach, force, hertz.reduced_modulus, with_offset);
+    const FittedNumber& fitted = radius.radius;
+    const double modulus = hertz.reduced_modulus * std::sqrt(fitted.value / hertz.radius);
+    fit.radius = reduced.number(fitted.value, fitted.standard_error);
+    fit.modulus = reduced.number(modulus, modulus * fitted.standard_error / (2 * fitted.value));
+    fit.offset = radius.offset.value;
+    fit.misfit = radius.relative_rms;
+  } catch (const WorkError&) {
+    return std::nullopt;  // no Hertzian curve describes it; the caller says which cases were fitted
+  }
+  if (numbers.has_fits) {
+    const ExponentFit& exponent = with_offset ? numbers.exponent_with_offset : numbers.exponent;
+    fit.exponent = exponent.exponent.value;
+    fit.exponent_error = exponent.exponent.standard_error;
+  }
+  fit.loads = {*std::min_element(force.begin(), force.end()), *std::max_element(force.begin(), force.end())};
+  fit.steps = force.size();
+  return fit;
+}
+
+std::optional<CaseNumber> stiffness_of(const ReducedCase& reduced, const NormalNumbers& numbers) {
+  constexpr const char* name = "normal_stiffness";
+  CaseNumber number = reduced.effective(name);
+  if (!reduced.solved->finished() || !reduced.solved->result->has(name))
+    number = reduced.number(numbers.unloading_stiffness(),
+                            numbers.unloading.empty() ? unknown : numbers.unloading.front().error);
+  return number.value > 0 ? std::optional(number) : std::nullopt;
+}
+
+/// First loading and first unloading of the steps that bear; empty without either.
+std::optional<LoadUnload> load_unload_of(const History& history) {
+  LoadUnload curve;
+  for (const HistoryBranch& branch : history_branches(history)) {
+    const bool loads = branch.kind == HistoryBranch::Kind::loading;
+    if (branch.kind == HistoryBranch::Kind::hold) continue;
+    if (loads != (curve.loading == 0)) return std::nullopt;  // another order
+    for (std::size_t i = branch.first; i <= branch.last; ++i) {
+      const bool is_turning_point = !loads && i == branch.first;
+      if (is_turning_point || (loads && !(history.normal_force[i] > 0))) continue;
+      curve.approach.push_back(history.normal_displacement[i]);
+      curve.force.push_back(history.normal_force[i]);
+    }
+    if (!loads) return curve;
+    curve.loading = curve.force.size();
+    if (curve.loading == 0) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+void reduce_yielding(const History& history, ReducedCase& reduced) {
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    if (!(history.plastic_volume[i] > 0)) continue;
+    if (!reduced.yields()) reduced.yielded_from = history.normal_force[i];
+    reduced.plastic_volume = std::max(reduced.plastic_volume, history.plastic_volume[i]);
+  }
+  if (reduced.yields() && reduced.is_pressed()) reduced.yielded = load_unload_of(history);
+}
+
+ReducedCase reduced(const SolvedCase& solved) {
+  ReducedCase reduced;
+  reduced.solved = &solved;
+  reduced.motion = solved.motion();
+  reduced.hertz = solved.hertz();
+  reduced.is_rough = solved.is_rough();
+  reduced.is_adhesive =
+      solved.entries.quantity("Interface/Work of adhesion", Dimension::surface_energy, 0) > 0;
+  reduced.realisation = realisation_of(solved);
+  reduced.spacing = solved.interface_spacing();
+  const NormalNumbers numbers = normal_numbers(solved.history, reduced.hertz);
+  const auto& force = solved.history.normal_force;
+  reduced.largest_force = numbers.largest_force;
+  if (!force.empty()) reduced.smallest_force = *std::min_element(force.begin(), force.end());
+  reduced.normal_fit = fit_of(reduced, numbers);
+  reduced.normal_stiffness = stiffness_of(reduced, numbers);
+  reduce_yielding(solved.history, reduced);
+  if (const MotionMode* mode = mode_of(solved)) reduced.moving = moving_case(solved, *mode);
+  return reduced;
+}
+
+}  // namespace
+
+CaseNumber ReducedCase::effective(const char* name) const {
+  const EffectiveNumber stated = solved->effective(name);
+  return number(stated.value, stated.sd);
+}
+
+ReducedCases reduced_cases(const ParameterSet& set) {
+  ReducedCases cases;
+  for (const SolvedCase& solved : set.cases) cases.push_back(reduced(solved));
+  return cases;
+}
+
+std::vector<CaseNumber> by_half_spaces(const ReducedCases& cases, const char* name) {
+  std::vector<SolvedNumber> numbers;
+  for (const ReducedCase& reduced : cases) {
+    const CaseNumber number = reduced.effective(name);
+    if (reduced.is_pressed() && number.value > 0)
+      numbers.push_back({reduced.solved, number.load, number.value, number.sd});
+  }
+  return by_half_spaces(numbers, name);
+}
+
+}  // namespace asperity

@@ -1,0 +1,64 @@
+// What one solved case tells a derivation: its history reduced to numbers, once. Every law is derived from
+// these numbers; no derivation reads a history.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/half_space_surfaces.h"
+#include "dem_compare/cases/motion_mode.h"
+#include "dem_compare/cases/moving_case.h"
+#include "dem_compare/cases/parameter_sets.h"
+#include "dem_compare/derive/elastoplastic_fit.h"
+#include "dem_compare/numbers/statistics.h"
+
+namespace asperity {
+
+/// Hertz fits of a case's first loading.
+struct NormalFit {
+  CaseNumber modulus, radius;  ///< E* for the radius given [Pa], R for the moduli given [m]
+  double exponent = unknown, exponent_error = unknown;  ///< [-]; 3/2 of Hertz
+  double offset = 0;                                    ///< of the approach [m]
+  double misfit = 0;                                    ///< root mean square over the largest force [-]
+  LoadRange loads;
+  std::size_t steps = 0;
+};
+
+struct ReducedCase {
+  const SolvedCase* solved = nullptr;
+  Motion motion = Motion::normal;
+  Hertz hertz;
+  bool is_rough = false, is_adhesive = false;
+  std::string realisation;
+  double spacing = unknown;                      ///< of the interface mesh [m]
+  double largest_force = 0, smallest_force = 0;  ///< normal; a pull is negative [N]
+  double yielded_from = unknown;  ///< normal force at the first plastic flow [N]; NaN without one
+  double plastic_volume = 0;      ///< largest [m^3]
+
+  std::optional<NormalFit> normal_fit;  ///< empty where no Hertzian curve describes the first loading
+  /// Elastic, at the largest load, as `solve` measured it; else the start of the unloading [N/m].
+  std::optional<CaseNumber> normal_stiffness;
+  std::optional<LoadUnload> yielded;  ///< first loading and unloading of a pressed case that yielded
+  std::optional<MovingCase> moving;   ///< of a case that slid, rolled or spun
+
+  std::string folder() const { return solved->folder.string(); }
+  bool yields() const { return plastic_volume > 0; }
+  bool is_pressed() const { return motion == Motion::normal && !solved->history.normal_force.empty(); }
+  /// A number at the largest load, as one of several cases.
+  CaseNumber number(double value, double sd) const {
+    return {largest_force, realisation, spacing, value, sd};
+  }
+  /// The same as `solve` states it under `effective`; NaN where it does not.
+  CaseNumber effective(const char* name) const;
+};
+
+/// Of one parameter set.
+using ReducedCases = std::vector<ReducedCase>;
+ReducedCases reduced_cases(const ParameterSet& set);
+
+/// Of a number of `effective` of the pressed cases: the surfaces that half-spaces alone have solved.
+std::vector<CaseNumber> by_half_spaces(const ReducedCases& cases, const char* name);
+
+}  // namespace asperity
