@@ -93,7 +93,8 @@ void add_cases(CaseCollection& collection, const fs::path& folder, const fs::pat
       collection.missing.push_back({name, "not complete", ""});
       continue;
     }
-    add_to_groups(collection, label.empty() ? solved.title() : label, values, std::move(solved), refused);
+    if (label.empty()) label = solved.title();
+    add_to_groups(collection, label, values, std::move(solved), refused);
   }
 }
 

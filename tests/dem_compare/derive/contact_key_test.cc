@@ -144,6 +144,18 @@ TEST(CaseCollection_behaviour, tells_contacts_of_several_studies_apart_that_bear
   EXPECT_NE(both.groups[0].label, both.groups[1].label);
 }
 
+/// A study of one cell has no axis that names it.
+TEST(CaseCollection_behaviour, of_a_study_without_axes_takes_the_cases_by_their_title) {
+  const test::TemporaryFolder root;
+  write_adhesive(root.path / "study" / "case", 1e-13, 1, "");
+  write_file_atomically(root.path / "study" / "study.json",
+                        R"({"format": "asperity-study/1", "title": "S", "axes": [],
+      "cases": [{"name": "case", "folder": "case", "values": {}, "state": "done"}]})");
+  const CaseCollection collection = collect_cases({root.path / "study"});
+  ASSERT_EQ(collection.groups.size(), 1u);
+  EXPECT_EQ(collection.groups[0].label, collection.groups[0].first().title());
+}
+
 TEST(CaseCollection_behaviour, does_not_take_a_case_that_was_solved_twice_for_two_realisations) {
   const test::TemporaryFolder root;
   const fs::path a = write_adhesive(root.path / "a", 1e-13, 1, ""),
