@@ -109,6 +109,10 @@ Hertz SolvedCase::hertz() const {
   return {reduced_modulus(particle(), substrate()), entries.quantity("Particle/Radius", Dimension::length)};
 }
 
+double SolvedCase::attraction_force() const {
+  return entries.quantity("Interface/Attraction force", Dimension::force, 0);
+}
+
 double SolvedCase::first_yield_force() const {
   return std::min(hertz().first_yield_force(particle().poisson_ratio, yield_stress("Particle")),
                   hertz().first_yield_force(substrate().poisson_ratio, yield_stress("Substrate")));

@@ -63,6 +63,8 @@ struct SolvedCase {
   ElasticBody substrate() const { return body("Substrate"); }
   /// Both bodies smooth and elastic.
   Hertz hertz() const;
+  /// Attraction beyond the contact as one force, which the contact bears beside the load [N].
+  double attraction_force() const;
   /// Load at which the first of the smooth bodies would yield; infinite if neither can.
   /// In [N].
   double first_yield_force() const;

@@ -43,7 +43,7 @@ void add_to_groups(CaseCollection& collection, const std::string& label,
   }
   if (const std::string outgrown = region_edge_words(solved); !outgrown.empty())
     collection.remarks.push_back(solved.folder.string() + ": " + outgrown);
-  NormalNumbers numbers = normal_numbers(solved.history, solved.hertz());
+  NormalNumbers numbers = normal_numbers(solved.history, solved.hertz(), solved.attraction_force());
   for (auto& group : collection.groups) {
     if (!is_of_group(group, values, solved)) continue;
     const SolvedCase* other =

@@ -33,17 +33,17 @@ double slope(const Values& x, const Values& y, std::size_t at, std::size_t reach
   return parabola_slope(x, y, left, at, right, at);
 }
 
-/// Steps of a branch under load.
+/// Steps of a branch under load, with what the contact bears: load and attraction.
 struct Branch {
   Values approach, force;
 };
 
-Branch branch_of(const History& history, const HistoryBranch& range) {
+Branch branch_of(const History& history, const HistoryBranch& range, double attraction) {
   Branch branch;
   for (std::size_t i = range.first; i <= range.last; ++i) {
     if (history.normal_force[i] <= 0) continue;
     branch.approach.push_back(history.normal_displacement[i]);
-    branch.force.push_back(history.normal_force[i]);
+    branch.force.push_back(history.normal_force[i] + attraction);
   }
   return branch;
 }
@@ -78,9 +78,16 @@ FittedNumber parameter(const LeastSquaresFit& fit, Eigen::Index i, double unit) 
   return {fit.parameters[i] * unit, std::sqrt(fit.covariance(i, i)) * unit};
 }
 
+/// Under the load.
+std::vector<TangentStiffness> tangents_of(const Branch& branch, double attraction) {
+  std::vector<TangentStiffness> tangents = tangent_stiffness(branch.approach, branch.force);
+  for (TangentStiffness& tangent : tangents) tangent.force -= attraction;
+  return tangents;
+}
+
 /// The steps of the first loading; stiffnesses are those of `numbers`.
 std::vector<LoadPoint> load_points(const History& history, const HistoryBranch& loading, const Hertz& hertz,
-                                   const NormalNumbers& numbers) {
+                                   double attraction, const NormalNumbers& numbers) {
   std::vector<LoadPoint> points;
   for (std::size_t i = loading.first; i <= loading.last; ++i) {
     LoadPoint point;
@@ -95,12 +102,12 @@ std::vector<LoadPoint> load_points(const History& history, const HistoryBranch& 
     point.mean_pressure = point.contact_area > 0 ? force / point.contact_area : unknown;
     point.largest_pressure = history.max_pressure[i];
     point.plastic_volume = history.plastic_volume[i];
-    const double hertz_force = hertz.force(point.approach);
-    point.force_ratio = hertz_force > 0 ? force / hertz_force : unknown;
-    point.stiffness_ratio = point.stiffness / hertz.normal_stiffness(force);
-    point.unloading_ratio = point.unloading_stiffness / hertz.normal_stiffness(force);
-    point.area_ratio = point.contact_area / hertz.contact_area(force);
-    point.pressure_ratio = point.largest_pressure / hertz.peak_pressure(force);
+    const double hertz_force = hertz.force(point.approach), borne = force + attraction;
+    point.force_ratio = hertz_force > 0 ? borne / hertz_force : unknown;
+    point.stiffness_ratio = point.stiffness / hertz.normal_stiffness(borne);
+    point.unloading_ratio = point.unloading_stiffness / hertz.normal_stiffness(borne);
+    point.area_ratio = point.contact_area / hertz.contact_area(borne);
+    point.pressure_ratio = point.largest_pressure / hertz.peak_pressure(borne);
     points.push_back(point);
   }
   return points;
@@ -177,7 +184,7 @@ double NormalNumbers::at_load(double force, double LoadPoint::*member) const {
   return unknown;
 }
 
-NormalNumbers normal_numbers(const History& history, const Hertz& hertz) {
+NormalNumbers normal_numbers(const History& history, const Hertz& hertz, double attraction) {
   NormalNumbers numbers;
   numbers.residual_imprint = unknown;
   if (history.size() == 0) return numbers;
@@ -193,11 +200,11 @@ NormalNumbers normal_numbers(const History& history, const Hertz& hertz) {
   Branch first_loading;
   HistoryBranch loading_range;
   for (const auto& range : history_branches(history)) {
-    const Branch branch = branch_of(history, range);
+    const Branch branch = branch_of(history, range, attraction);
     if (range.kind == HistoryBranch::Kind::loading && !loaded) {
       loaded = true;
       first_loading = branch;
-      numbers.loading = tangent_stiffness(branch.approach, branch.force);
+      numbers.loading = tangents_of(branch, attraction);
       loading_range = range;
       // Four numbers at most are fitted; fewer steps would leave nothing to judge the misfit by.
       constexpr std::size_t fewest_for_fits = 5;
@@ -215,7 +222,7 @@ NormalNumbers normal_numbers(const History& history, const Hertz& hertz) {
       }
     } else if (range.kind == HistoryBranch::Kind::unloading && !unloaded) {
       unloaded = true;
-      numbers.unloading = tangent_stiffness(branch.approach, branch.force);
+      numbers.unloading = tangents_of(branch, attraction);
       const auto of_range = [&](const Values& column) {
         return Values(column.begin() + static_cast<long>(range.first),
                       column.begin() + static_cast<long>(range.last) + 1);
@@ -227,10 +234,10 @@ NormalNumbers normal_numbers(const History& history, const Hertz& hertz) {
       numbers.residual_imprint = left.depth;
     } else if (range.kind == HistoryBranch::Kind::loading && unloaded && !reloaded) {
       reloaded = true;
-      numbers.reloading = tangent_stiffness(branch.approach, branch.force);
+      numbers.reloading = tangents_of(branch, attraction);
     }
   }
-  if (loaded) numbers.loads = load_points(history, loading_range, hertz, numbers);
+  if (loaded) numbers.loads = load_points(history, loading_range, hertz, attraction, numbers);
   return numbers;
 }
 

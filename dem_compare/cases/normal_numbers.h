@@ -95,6 +95,8 @@ struct NormalNumbers {
   double at_load(double force, double LoadPoint::*member) const;
 };
 
-NormalNumbers normal_numbers(const History& history, const Hertz& hertz);
+/// The contact bears the load and `attraction` [N], a force that does not change (Derjaguin, Muller & Toporov
+/// 1975): fits and ratios are of their sum; the forces named above are loads.
+NormalNumbers normal_numbers(const History& history, const Hertz& hertz, double attraction = 0);
 
 }  // namespace asperity

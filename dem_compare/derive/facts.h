@@ -26,6 +26,7 @@ struct ModulusFact {
   Uncertain value;
   double materials = 0;
   bool with_offset = false;         ///< of the approach, where bodies are rough
+  double attraction = 0;            ///< that the contact bears beside the load [N]
   std::vector<CaseNumber> numbers;  ///< of all cases
 };
 /// The same as a radius [m].
@@ -171,9 +172,11 @@ struct Origin {
     yielded,       ///< material did
     thornton_ning_fit,
     luding_fit,
-    pull,           ///< number: cases
-    stiffness,      ///< `source`
-    smooth_growth,  ///< number: exponent of a smooth contact
+    pull,             ///< number: cases
+    attraction,       ///< the entry, where no case was drawn apart
+    with_attraction,  ///< number: what the contact bears beside the load [N]
+    stiffness,        ///< `source`
+    smooth_growth,    ///< number: exponent of a smooth contact
     lateral_stiffness,
     dissipation_per_length,
     dissipation_per_angle,

@@ -165,6 +165,14 @@ double add_half_spaces(const MovedCases& used, const ContactParameters& paramete
   return shared;
 }
 
+/// What went in, beside what came out.
+void add_local_friction(const Derivation& derivation, LawFindings& findings, std::vector<Origin>& origin) {
+  const auto local = derivation.inputs.find("Interface/Friction coefficient");
+  if (local == derivation.inputs.end()) return;
+  origin.push_back({From::local_friction, unknown, local->second});
+  findings.found.push_back(LocalFrictionFact{local->second});
+}
+
 void derive_resistance(const MovedCases& seen, Derivation& derivation, LawFindings& findings) {
   const MotionMode& mode = *findings.mode;
   ContactParameters& parameters = derivation.parameters;
@@ -219,11 +227,7 @@ void derive_resistance(const MovedCases& seen, Derivation& derivation, LawFindin
   friction.load_range = offset.load_range = law.loads;
   derivation.origin_of(mode.offset) = law.has_offset ? origin : std::vector<Origin>{{From::no_offset}};
   origin.insert(origin.end(), odds.begin(), odds.end());
-  if (const auto local = derivation.inputs.find("Interface/Friction coefficient");
-      local != derivation.inputs.end()) {
-    origin.push_back({From::local_friction, unknown, local->second});
-    findings.found.push_back(LocalFrictionFact{local->second});
-  }
+  add_local_friction(derivation, findings, origin);
   derivation.origin_of(mode.friction) = origin;
 }
 

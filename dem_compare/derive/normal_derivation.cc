@@ -74,7 +74,9 @@ void derive_modulus(const ReducedCases& cases, Derivation& derivation, LawFindin
   modulus.value = mean.value, modulus.sd = mean.sd;
   const bool with_offset = fitted.front()->is_rough;
   origin = {{with_offset ? From::hertz_fit_with_offset : From::hertz_fit}, {From::cases, unknown, "", all}};
-  findings.found.push_back(ModulusFact{mean, hertz.reduced_modulus, with_offset, all});
+  const double attraction = fitted.front()->attraction;
+  if (attraction > 0) origin.push_back({From::with_attraction, attraction});
+  findings.found.push_back(ModulusFact{mean, hertz.reduced_modulus, with_offset, attraction, all});
   findings.found.push_back(RadiusFact{scatter_of(radii).mean, hertz.radius});
   const Scatter exponent = scatter_of(exponents), offset = scatter_of(offsets);
   if (exponent.count > 0)
@@ -146,6 +148,12 @@ void derive_pull_off(const ReducedCases& cases, Derivation& derivation, LawFindi
     shared = std::max(shared, number.shared_sd / number.value);
   }
   for (const auto& [surface, values] : of_surface) pulls.push_back(scatter_of(values).mean);
+  const double attraction = cases.front().solved->attraction_force();
+  if (pulls.empty() && attraction > 0) {
+    derivation.parameters.pull_off_force.emplace().value = attraction;
+    derivation.origin_of(&P::pull_off_force) = {{From::attraction}};
+    return findings.found.push_back(PullOffFact{{attraction}});
+  }
   if (pulls.empty()) {
     if (adhesive) findings.open.push_back({About::pull_off});
     return;

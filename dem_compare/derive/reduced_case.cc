@@ -9,9 +9,36 @@
 namespace asperity {
 namespace {
 
+/// Of F = K delta^(3/2) - F0 over the first loading.
+struct AttractionFit {
+  double attraction = 0;   ///< F0, not below zero [N]
+  double relative_sd = 0;  ///< of K [-]
+};
+
+AttractionFit fitted_attraction(const NormalNumbers& numbers) {
+  std::vector<double> x, y;
+  for (const auto& point : numbers.loads)
+    if (point.approach > 0) x.push_back(std::pow(point.approach, 1.5)), y.push_back(point.force);
+  constexpr std::size_t fewest = 4;
+  if (x.size() < fewest) return {};
+  const double n = static_cast<double>(x.size()), mean_x = scatter_of(x).mean, mean_y = scatter_of(y).mean;
+  double square = 0, product = 0, misfit = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    square += (x[i] - mean_x) * (x[i] - mean_x);
+    product += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  const double slope = product / square, attraction = slope * mean_x - mean_y;
+  if (!(attraction > 0)) return {};
+  for (std::size_t i = 0; i < x.size(); ++i) misfit += std::pow(y[i] - mean_y - slope * (x[i] - mean_x), 2);
+  return {attraction, std::sqrt(misfit / (n - 2) / square) / slope};
+}
+
 std::optional<NormalFit> fit_of(const ReducedCase& reduced, const NormalNumbers& numbers) {
   std::vector<double> approach, force;
-  for (const auto& point : numbers.loads) approach.push_back(point.approach), force.push_back(point.force);
+  for (const auto& point : numbers.loads) {
+    approach.push_back(point.approach);
+    force.push_back(point.force + reduced.attraction);
+  }
   // Asperities touch before the spheres would: only an offset gives back the stiffness of a rough contact.
   const bool with_offset = reduced.is_rough;
   const std::size_t fewest = with_offset ? 4 : 3;
@@ -34,7 +61,8 @@ std::optional<NormalFit> fit_of(const ReducedCase& reduced, const NormalNumbers&
     fit.exponent = exponent.exponent.value;
     fit.exponent_error = exponent.exponent.standard_error;
   }
-  fit.loads = {*std::min_element(force.begin(), force.end()), *std::max_element(force.begin(), force.end())};
+  const auto [least, most] = std::minmax_element(force.begin(), force.end());
+  fit.loads = {*least - reduced.attraction, *most - reduced.attraction};
   fit.steps = force.size();
   return fit;
 }
@@ -85,13 +113,22 @@ ReducedCase reduced(const SolvedCase& solved) {
   reduced.is_rough = solved.is_rough();
   reduced.is_adhesive =
       solved.entries.quantity("Interface/Work of adhesion", Dimension::surface_energy, 0) > 0;
+  reduced.attraction = solved.attraction_force();
   reduced.realisation = realisation_of(solved);
   reduced.spacing = solved.interface_spacing();
-  const NormalNumbers numbers = normal_numbers(solved.history, reduced.hertz);
+  NormalNumbers numbers = normal_numbers(solved.history, reduced.hertz, reduced.attraction);
+  AttractionFit adhesion;
+  if (reduced.is_adhesive && !reduced.is_rough) {
+    adhesion = fitted_attraction(numbers);
+    reduced.attraction = adhesion.attraction;
+    numbers = normal_numbers(solved.history, reduced.hertz, reduced.attraction);
+  }
   const auto& force = solved.history.normal_force;
   reduced.largest_force = numbers.largest_force;
   if (!force.empty()) reduced.smallest_force = *std::min_element(force.begin(), force.end());
   reduced.normal_fit = fit_of(reduced, numbers);
+  if (auto& fit = reduced.normal_fit)
+    fit->modulus.sd = std::hypot(fit->modulus.sd, adhesion.relative_sd * fit->modulus.value);
   reduced.normal_stiffness = stiffness_of(reduced, numbers);
   reduce_yielding(solved.history, reduced);
   if (const MotionMode* mode = mode_of(solved)) reduced.moving = moving_case(solved, *mode);

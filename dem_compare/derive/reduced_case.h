@@ -32,7 +32,11 @@ struct ReducedCase {
   Hertz hertz;
   bool is_rough = false, is_adhesive = false;
   std::string realisation;
-  double spacing = unknown;                      ///< of the interface mesh [m]
+  double spacing = unknown;  ///< of the interface mesh [m]
+  /// What the contact bears beside the load, as one force [N]: `Interface/Attraction force`, and of a smooth
+  /// contact that adheres the constant with which Hertz fits its loading best, F = K delta^(3/2) - F0
+  /// (Derjaguin, Muller & Toporov 1975). A rough one's cannot be told from the offset of its approach.
+  double attraction = 0;                         ///< beyond the contact, as one force [N]
   double largest_force = 0, smallest_force = 0;  ///< normal; a pull is negative [N]
   double yielded_from = unknown;  ///< normal force at the first plastic flow [N]; NaN without one
   double plastic_volume = 0;      ///< largest [m^3]
@@ -47,6 +51,7 @@ struct ReducedCase {
   bool yields() const { return plastic_volume > 0; }
   bool is_pressed() const { return motion == Motion::normal && !solved->history.normal_force.empty(); }
   /// A number at the largest load, as one of several cases.
+  /// In the unit of the value.
   CaseNumber number(double value, double sd) const {
     return {largest_force, realisation, spacing, value, sd};
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/resistance/paired_paths.h"
 
 namespace asperity {

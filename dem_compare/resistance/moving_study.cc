@@ -5,9 +5,9 @@
 #include <set>
 
 #include "core/error.h"
-#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/cases/common_label.h"
+#include "dem_compare/cases/path_averages.h"
 
 namespace asperity {
 namespace {

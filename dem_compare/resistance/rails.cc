@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/motion_program.h"
-#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
 #include "dem_compare/cases/parameter_sets.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/resistance/moving_study.h"
 
 namespace asperity {

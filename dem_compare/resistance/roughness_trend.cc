@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/topography_spec.h"
-#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/resistance/paired_paths.h"
 
 namespace asperity {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/resistance/paired_paths.h"
 #include "dem_compare/resistance/roughness_trend.h"
 

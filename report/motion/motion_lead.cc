@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/cases/moving_case.h"
 #include "dem_compare/cases/parameter_sets.h"
+#include "dem_compare/cases/path_averages.h"
 #include "report/page/axis.h"
 #include "report/page/display_units.h"
 #include "report/page/words.h"

@@ -25,6 +25,8 @@ const std::map<From, const char*>& origin_templates() {
       {From::thornton_ning_fit, "Thornton & Ning (1998) fitted to loading and unloading"},
       {From::luding_fit, "Luding (2008) fitted to loading and unloading"},
       {From::pull, "largest pull while unloading; the loads are those reached before, {} contacts"},
+      {From::attraction, "Interface/Attraction force of the cases: it pulls until the bodies part"},
+      {From::with_attraction, "over the load and an attraction of {} N, which the contact bears"},
       {From::smooth_growth, "of a smooth contact it grows as a^{}, not as a"},
       {From::lateral_stiffness, "k_l = 8 G* a fitted, a Hertz' with E* of this file"},
       {From::dissipation_per_length,

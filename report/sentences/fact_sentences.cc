@@ -16,9 +16,11 @@ std::string at_load(const Uncertain& value, const std::string& unit, double load
 }
 struct InWords {
   std::string operator()(const ModulusFact& f) const {
-    return say("E* = {} (materials: {}), {}; {}",
-               {pressure(f.value), pressure({f.materials}), f.with_offset ? hertz_with_offset : hertz_fit,
-                source_words(f.numbers)});
+    return say(
+        "E* = {} (materials: {}), {}{}; {}",
+        {pressure(f.value), pressure({f.materials}), f.with_offset ? hertz_with_offset : hertz_fit,
+         f.attraction > 0 ? say(" over the load and an attraction of {}", {force_text(f.attraction)}) : "",
+         source_words(f.numbers)});
   }
   std::string operator()(const RadiusFact& f) const {
     return say("the same as a radius: R_effective = {} (particle: {}) with the materials' E*",

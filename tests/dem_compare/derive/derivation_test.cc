@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/shear_moduli.h"
 #include "dem_compare/laws/lubkin_torsion.h"
+#include "dem_compare/laws/maugis_dugdale.h"
 #include "engines/engine_input.h"
 #include "tests/dem_compare/derive/found.h"
 #include "tests/dem_compare/derive/made_case.h"
@@ -169,6 +170,52 @@ TEST(Derivation_analytic, finds_pull_off_where_an_adhesive_contact_is_drawn_apar
   const ContactParameters p = derive_parameters(set).parameters;
   ASSERT_TRUE(p.pull_off_force);
   EXPECT_DOUBLE_EQ(p.pull_off_force->value, 3e-6);
+}
+
+/// Attraction of long range presses like load (Derjaguin, Muller & Toporov 1975): E* is the materials'.
+TEST(Derivation_analytic, counts_attraction_beyond_the_contact_as_load) {
+  std::mt19937 random(9);
+  ParameterSet set;
+  set.cases.push_back(make_case({}, "sliding", 1e-3, 1, random));
+  SolvedCase& solved = set.cases.front();
+  constexpr double attraction = 4e-4;
+  auto entries = solved.entries.all();
+  entries["Interface/Attraction force"] = "400 uN";
+  solved.entries = CaseEntries(entries);
+  for (std::size_t i = 0; i < solved.history.size(); ++i)
+    solved.history.normal_displacement[i] = hertz.approach(solved.history.normal_force[i] + attraction);
+  const Derivation derivation = derive_parameters(set);
+  EXPECT_NEAR(derivation.parameters.reduced_modulus->value / hertz.reduced_modulus, 1, 1e-6);
+  EXPECT_NEAR(derivation.parameters.reduced_modulus->load_range->high, 1e-3, 1e-12);
+  EXPECT_TRUE(test::origin(derivation, &ContactParameters::reduced_modulus, Origin::From::with_attraction));
+  ASSERT_TRUE(derivation.parameters.pull_off_force);
+  EXPECT_NEAR(derivation.parameters.pull_off_force->value, attraction, 1e-15);
+  EXPECT_TRUE(test::origin(derivation, &ContactParameters::pull_off_force, Origin::From::attraction));
+}
+
+/// Between the limits of Derjaguin and of Johnson a constant attraction stands for Maugis' (1992) law: E* of
+/// its loading is the materials' within 3 %, where a fit of the load alone is 12 % off or more.
+TEST(Derivation_other_code, takes_adhesion_out_of_the_modulus_of_a_smooth_contact) {
+  std::mt19937 random(9);
+  for (const double range : {0.3e-9, 1e-9, 4e-9}) {
+    ParameterSet set;
+    set.cases.push_back(make_case({}, "normal", 1e-4, 1, random));
+    SolvedCase& solved = set.cases.front();
+    auto entries = solved.entries.all();
+    entries["Interface/Work of adhesion"] = "360 mJ/m^2";
+    entries["Substrate/Topography"] = "smooth";
+    solved.entries = CaseEntries(entries);
+    const MaugisDugdale law{hertz.reduced_modulus, hertz.radius, 0.36, 0.36 / range};
+    History& history = solved.history;
+    for (std::size_t i = 0; i < history.size(); ++i)
+      history.normal_displacement[i] = law.approach(history.normal_force[i]);
+    const double adhesive = derive_parameters(set).parameters.reduced_modulus->value;
+    entries["Interface/Work of adhesion"] = "0 J/m^2";
+    solved.entries = CaseEntries(entries);
+    const double load_alone = derive_parameters(set).parameters.reduced_modulus->value;
+    EXPECT_NEAR(adhesive / hertz.reduced_modulus, 1, 0.03) << range;
+    EXPECT_GT(std::abs(load_alone / hertz.reduced_modulus - 1), 0.12) << range;
+  }
 }
 
 /// What is written is what the fit says: no more, no less is known of it.
