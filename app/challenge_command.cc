@@ -92,7 +92,7 @@ void add_challenge_command(CLI::App& app) {
   command->add_flag(
       "--case", arguments->by_case,
       "The simulation of each recording is a case, solved by finite elements: another matrix, of "
-      "some 50 recordings (--quick: a dozen), in hours");
+      "some 60 recordings (--quick: a dozen), in hours");
   command
       ->add_option("--minutes", arguments->minutes,
                    "With --case: wall time for each recording's solutions of the case with what was left out")

@@ -35,11 +35,14 @@ void run_conceal(const ConcealArguments& arguments) {
 }
 
 std::string list_of_effects() {
-  std::string text = "Effects by mode (outside of the catalogue in brackets):\n";
+  std::string text =
+      "Effects by mode (outside of the catalogue in round brackets, for diagnose --case alone in square "
+      "ones):\n";
   for (const Motion mode : all_modes()) {
     text += "  " + name_of(mode) + ":";
     for (const auto& effect : concealable_effects(mode)) text += " " + effect;
     for (const auto& effect : out_of_catalogue_effects(mode)) text += " (" + effect + ")";
+    for (const auto& effect : effects_beside_a_case(mode)) text += " [" + effect + "]";
     text += "\n";
   }
   return text;

@@ -23,9 +23,9 @@ std::size_t steps_within_region(const History& history) {
 
 namespace {
 
-/// Lateral force with its standard deviation [N].
+/// Lateral force with its standard deviation, and how much of it the mesh may have made [N].
 struct Resistance {
-  double value = 0, sd = 0;
+  double value = 0, sd = 0, of_mesh = 0;
 };
 
 Resistance sliding_resistance(const SolvedCase& solved, double normal_force) {
@@ -33,8 +33,8 @@ Resistance sliding_resistance(const SolvedCase& solved, double normal_force) {
   return {friction.value * normal_force, friction.sd * normal_force};
 }
 
-/// Of the energy that rolling loses per angle. Below what the mesh makes of smooth elastic bodies all of it
-/// may be the mesh's.
+/// Of the energy that rolling loses per angle. Below what the mesh makes of smooth elastic bodies all of it,
+/// or nothing, may be the mesh's.
 Resistance rolling_resistance(const SolvedCase& solved) {
   const EffectiveNumber lost = solved.effective("rolling_dissipation"),
                         floor = solved.effective("rolling_noise_floor");
@@ -42,8 +42,9 @@ Resistance rolling_resistance(const SolvedCase& solved) {
   Resistance resistance{lost.value / radius, lost.sd / radius};
   if (!std::isfinite(lost.value) || lost.value > floor.value) return resistance;
   constexpr double least_part = 1e-3;  // of the floor: a law that is corrected by a factor needs one
-  resistance.value = std::max(lost.value, least_part * floor.value) / radius;
-  resistance.sd = std::max({resistance.sd, resistance.value, std::abs(lost.value) / radius});
+  resistance.of_mesh = std::max(0.0, lost.value) / radius;
+  resistance.value = std::max(lost.value / 2, least_part * floor.value) / radius;
+  resistance.sd = std::max({resistance.sd, resistance.value, std::abs(lost.value) / (2 * radius)});
   return resistance;
 }
 
@@ -71,6 +72,7 @@ SolvedMotion motion_of(const fs::path& folder, const MotionProtocol& protocol) {
   const Resistance resistance = resistance_of(solved, protocol);
   motion.resistance = resistance.value;
   motion.resistance_error = resistance.sd;
+  motion.of_mesh = resistance.of_mesh;
   motion.lateral_stiffness = std::isfinite(stiffness.value) ? stiffness.value : 0;
   motion.lateral_stiffness_error = std::isfinite(stiffness.sd) ? stiffness.sd : 0;
   motion.source = folder.string();

@@ -38,6 +38,7 @@ class CaseMatrix {
       add("pair", Motion::normal, effects, {0.005});
     beside_another_surface();
     sliding();
+    rolling_and_torsion();
     return std::move(items_);
   }
 
@@ -122,6 +123,25 @@ class CaseMatrix {
       add(answer.size() > 1 ? "pair" : "single", Motion::sliding, concealed, {0.005});
       items_.back().answer = answer;
     }
+  }
+
+  /// Against smooth elastic bodies, which lose nothing to adhesion and spin by a friction of their own.
+  void rolling_and_torsion() {
+    const Names lost{"rolling_adhesion_hysteresis"}, spun{"contact_radius_scaling"};
+    add("single", Motion::rolling, lost, {0.005, 0.01});
+    add("null", Motion::rolling, lost, {0.01});
+    items_.back().knows_adhesion = true;
+    items_.back().answer = Names{};
+    add(out_of_catalogue, Motion::rolling, {lost.front(), "resistance_peak"}, {0.005});
+    for (const double noise : {0.003, 0.01}) {
+      add("null", Motion::torsion, spun, {noise});
+      items_.back().knows_friction = true;
+      items_.back().answer = Names{};
+      add("single", Motion::torsion, spun, {noise});
+      items_.back().answer = Names{"friction_coefficient"};
+    }
+    add("pair", Motion::torsion, {spun.front(), "adhesion_offset"}, {0.005});
+    items_.back().answer = Names{"adhesion_offset", "friction_coefficient"};
   }
 
   /// A recording at each level of noise.

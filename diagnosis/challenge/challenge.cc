@@ -42,6 +42,13 @@ std::string another_surface(const Truth& truth) {
                  truth.seed + 500000);
 }
 
+/// What rolling loses to adhesion, with a range whose zone the mesh resolves.
+void add_lost_work(const Truth& truth, std::vector<std::string>& entries) {
+  entries.push_back(printed("Interface/Work of adhesion on separation=%.6g J/m^2",
+                            truth.effects.at(0).parameters.at("work_lost").value));
+  entries.insert(entries.end(), {"Interface/Adhesion range=0.6 nm", "Mesh/Interface spacing=24 nm"});
+}
+
 /// As a user would have it; a case's friction is what the recording guesses, or what it really is.
 Diagnosis diagnose_item(const ChallengeItem& item, Recording recording, const Truth& truth,
                         const fs::path& folder, const ChallengeOptions& options) {
@@ -49,6 +56,7 @@ Diagnosis diagnose_item(const ChallengeItem& item, Recording recording, const Tr
   fs::path file = item.simulation->file;
   std::vector<std::string> entries = item.simulation->entries;
   if (item.knows_spectrum) entries.push_back("Substrate/Topography=" + another_surface(truth));
+  if (item.knows_adhesion) add_lost_work(truth, entries);
   if (file.empty()) {
     file = folder / "case.prm";
     if (item.knows_friction)

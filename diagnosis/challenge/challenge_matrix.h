@@ -26,6 +26,7 @@ struct ChallengeItem {
   std::vector<std::filesystem::path> cases;  ///< of family "finite_elements": what was solved
   std::optional<ChallengeCase> simulation;   ///< none: reduced laws
   bool knows_friction = false;  ///< the case's friction is the truth's, and not what the recording guesses
+  bool knows_adhesion = false;  ///< the case has the truth's work of adhesion that rolling loses
   bool knows_spectrum = false;  ///< the case has the truth's spectrum, and a surface of its own
   /// What is right to name beside a case, which has partial slip of itself and a friction of its own: none
   /// for reduced laws, where it is what was concealed.

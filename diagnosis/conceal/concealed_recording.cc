@@ -31,6 +31,7 @@ const std::vector<std::vector<std::string>>& exclusive() {
 void check(const ConcealOptions& options) {
   std::vector<std::string> known = concealable_effects(options.mode);
   for (const auto& name : out_of_catalogue_effects(options.mode)) known.push_back(name);
+  for (const auto& name : effects_beside_a_case(options.mode)) known.push_back(name);
   for (const auto& effect : options.effects) {
     if (std::find(known.begin(), known.end(), effect) != known.end()) continue;
     throw InputError("no effect '" + effect + "' can be concealed in mode " + name_of(options.mode) + "; " +
@@ -90,6 +91,9 @@ std::string family_of(const ConcealOptions& options, const Truth& truth) {
 std::vector<std::string> concealable_effects(Motion mode) { return hidden::concealable(mode); }
 std::vector<std::string> out_of_catalogue_effects(Motion mode) {
   return hidden::concealable_out_of_catalogue(mode);
+}
+std::vector<std::string> effects_beside_a_case(Motion mode) {
+  return hidden::concealable_beside_a_case(mode);
 }
 
 ConcealedRecording conceal(const ConcealOptions& options) {

@@ -36,6 +36,8 @@ void write_concealed(const ConcealedRecording& concealed, const std::filesystem:
 /// Effects that can be concealed in a mode; out_of_catalogue_effects() are not in the catalogue.
 std::vector<std::string> concealable_effects(Motion mode);
 std::vector<std::string> out_of_catalogue_effects(Motion mode);
+/// Effects that only a case of finite elements can be told to lack (`diagnose --case`).
+std::vector<std::string> effects_beside_a_case(Motion mode);
 
 /// A solved case's history as a recording of its mode with noise: the finite-element solver as truth.
 /// `folder` holds history.csv and result.json or case.prm; `effects` say what the case shows. Several cases:

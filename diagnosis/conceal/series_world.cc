@@ -20,11 +20,12 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const WorldRequest& request, Random& random) {
-  const double largest = between(random, 2e-3, 4e-3);
+  const bool adheres = request.asks_for("rolling_adhesion_hysteresis");
+  const double largest = adheres ? between(random, 200e-6, 500e-6) : between(random, 2e-3, 4e-3);
   std::vector<double> loads, speeds{1e-6}, roughness{0.3e-9}, angles{0};
   const bool few_loads = request.asks_for("roughness_dependent_rolling") ||
                          request.asks_for("viscous_rolling") || request.mode == Motion::rail;
-  const int count = few_loads ? 7 : 24;
+  const int count = few_loads ? 7 : adheres ? 12 : 24;
   for (int i = 0; i < count; ++i) loads.push_back(largest * (i + 1) / count);
   if (request.asks_for("viscous_rolling")) speeds = {1e-6, 5e-6, 20e-6, 50e-6};
   if (request.asks_for("roughness_dependent_rolling"))
@@ -50,6 +51,12 @@ void choose_series_parameters(World& world, const WorldRequest& request, const s
     if (id == "rolling_adhesion_offset")
       world.hide(id, "constant attraction at every contact", "adhesion_force",
                  between(random, 0.15, 0.5) * largest);
+    else if (id == "rolling_adhesion_hysteresis")
+      world.hide(id, "work lost over the width of a true sphere's contacts (Sneddon 1965)", "work_lost",
+                 between(random, 0.03, 0.12));
+    else if (id == "adhesion_offset")
+      world.hide(id, "constant attraction that widens the contact (Derjaguin, Muller & Toporov 1975)",
+                 "adhesion_force", between(random, 0.05, 0.2) * largest);
     else if (id == "contact_radius_scaling") {
       const double a =
           Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(largest / 2);
@@ -105,7 +112,7 @@ class SeriesLaw {
     const double below = length(reduced_modulus(borosilicate, silicon), row.load),
                  above = length(reduced_modulus(borosilicate, diamond), row.load);
     const double mu = coefficient(row), borne = row.load + of("rolling_adhesion_offset", "adhesion_force");
-    return mu * (below + above) * borne / (2 * radius);
+    return peak(row) * (mu * (below + above) * borne / (2 * radius) + lost_work(row));
   }
 
   double rail(const Row& row) const {
@@ -120,9 +127,10 @@ class SeriesLaw {
   double torsion(const Row& row) const {
     if (!has("contact_radius_scaling")) return friction_ * row.load;
     // mu_local p(r) r summed over rings; (3 pi/16) of mu_local makes the catalogue's coefficient.
-    const double a = Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(row.load);
+    const double pressed = row.load + of("adhesion_offset", "adhesion_force"),
+                 a = Sphere{reduced_modulus(borosilicate, silicon), radius}.contact_radius_at_force(pressed);
     const double local = of("contact_radius_scaling", "rolling_friction") / (3 * pi / 16),
-                 peak = 1.5 * row.load / (pi * a * a);
+                 peak = 1.5 * pressed / (pi * a * a);
     constexpr int rings = 400;
     double moment = 0;
     for (int i = 0; i < rings; ++i) {
@@ -140,20 +148,27 @@ class SeriesLaw {
   double length(double modulus, double load) const {
     return has("contact_radius_scaling") ? Sphere{modulus, radius}.contact_radius_at_force(load) : radius;
   }
+  /// Mean over both contacts, which open over their width.
+  double lost_work(const Row& row) const {
+    if (!has("rolling_adhesion_hysteresis")) return 0;
+    const Sphere sphere{reduced_modulus(borosilicate, silicon), radius};
+    return of("rolling_adhesion_hysteresis", "work_lost") * 2 * sphere.contact_radius_at_force(row.load);
+  }
+  double peak(const Row& row) const {
+    if (!has("resistance_peak")) return 1;
+    constexpr double width = 0.25;  // of the logarithm of load
+    const double x = std::log(row.load / of("resistance_peak", "place")) / width;
+    return 1 + of("resistance_peak", "share") * std::exp(-x * x / 2);
+  }
   double coefficient(const Row& row) const {
+    if (has("rolling_adhesion_hysteresis")) return 0;  // smooth elastic bodies lose nothing else
     double mu = friction_;
     if (has("contact_radius_scaling")) mu = of("contact_radius_scaling", "rolling_friction");
     if (has("roughness_dependent_rolling"))
       mu = of("roughness_dependent_rolling", "b") +
            of("roughness_dependent_rolling", "c") *
                std::exp(-row.rms / of("roughness_dependent_rolling", "decay_length"));
-    mu += of("viscous_rolling", "coefficient") * row.speed;
-    if (has("resistance_peak")) {
-      constexpr double width = 0.25;  // of the logarithm of load
-      const double x = std::log(row.load / of("resistance_peak", "place")) / width;
-      mu *= 1 + of("resistance_peak", "share") * std::exp(-x * x / 2);
-    }
-    return mu;
+    return mu + of("viscous_rolling", "coefficient") * row.speed;
   }
 
   const World& world_;
@@ -172,6 +187,10 @@ World series_world(const WorldRequest& request) {
   choose_series_parameters(world, request, rows, friction, random);
   const std::string name = request.mode == Motion::torsion ? "torsion_friction" : "rolling_friction";
   world.coefficients[name] = friction;
+  if (request.mode == Motion::torsion && world.hides("contact_radius_scaling"))
+    world.coefficients["sliding_friction"] =  // local
+        world.value("contact_radius_scaling", "rolling_friction") / (3 * pi / 16);
+  if (world.hides("rolling_adhesion_hysteresis")) world.recording.indenter = world.recording.substrate;
   world.recording.simulation_is_given = true;
   if (request.mode == Motion::torsion) world.recording.simulation.torsion = "constant";
   world.recording.simulation.parameters[name] = {friction * between(random, 0.7, 1.4), true};

@@ -92,6 +92,12 @@ std::vector<std::string> concealable_out_of_catalogue(Motion mode) {
   }
 }
 
+std::vector<std::string> concealable_beside_a_case(Motion mode) {
+  if (mode == Motion::rolling) return {"rolling_adhesion_hysteresis"};
+  if (mode == Motion::torsion) return {"adhesion_offset"};
+  return {};
+}
+
 Recording paper_bodies(Motion mode, const std::string& title) {
   Recording recording;
   recording.title = title;

@@ -52,6 +52,8 @@ struct WorldRequest {
 /// Effects that can be concealed in a mode: of the catalogue, and outside of it.
 std::vector<std::string> concealable(Motion mode);
 std::vector<std::string> concealable_out_of_catalogue(Motion mode);
+/// Effects that only a case of finite elements can be told to lack.
+std::vector<std::string> concealable_beside_a_case(Motion mode);
 
 /// Normal contact under a request's load.
 World normal_world(const WorldRequest& request);

@@ -53,10 +53,12 @@ class RollingAdhesionHysteresis : public Effect {
   }
   /// The work on approach stays. Where the case has no range, the shortest that its mesh resolves.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
-    const double opening = e.case_work_of_adhesion + p[0],
-                 range = e.case_adhesion_range > 0 ? e.case_adhesion_range : resolved_range(e, opening);
-    auto changes = dugdale_in_case(e, opening, range, cells_of_rear_edge);
+    const double opening = e.case_work_of_adhesion + p[0];
+    const bool has_range = e.case_adhesion_range > 0;
+    auto changes = dugdale_in_case(e, opening, has_range ? e.case_adhesion_range : resolved_range(e, opening),
+                                   cells_of_rear_edge);
     changes.front().value = e.case_work_of_adhesion;
+    if (!has_range && !(e.case_spacing > 0)) changes.push_back({spacing_entry, spacing_of(e), "m"});
     changes.push_back({"Interface/Work of adhesion on separation", opening, "J/m^2"});
     return changes;
   }
@@ -74,13 +76,20 @@ class RollingAdhesionHysteresis : public Effect {
   /// quarter by 3 %.
   static constexpr double cells_of_rear_edge = 5;
 
+  /// Of the mesh; where the case derives its own from the load, one for the largest [m].
+  static double spacing_of(const Experiment& e) {
+    constexpr double cells_over_radius = 18;
+    return e.case_spacing > 0 ? e.case_spacing
+                              : e.hertz().contact_radius(e.largest_force) / cells_over_radius;
+  }
+
   /// Its zone is some cells long; no shorter than Johnson, Kendall & Roberts' limit asks for.
   static double resolved_range(const Experiment& e, double work) {
     constexpr double lambda_of_jkr = 10, beyond_rounding = 1.05;
     const double shortest = range_of_attraction(e, work, lambda_of_jkr),
                  zone = attraction_zone(e.reduced_modulus(), work, work / shortest);
     // The zone grows as the square of the range.
-    return shortest * std::sqrt(std::max(1.0, beyond_rounding * cells_of_rear_edge * e.case_spacing / zone));
+    return shortest * std::sqrt(std::max(1.0, beyond_rounding * cells_of_rear_edge * spacing_of(e) / zone));
   }
 };
 

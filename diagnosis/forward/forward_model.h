@@ -59,8 +59,11 @@ struct SolvedMotion {
   /// Steady lateral force; of rolling that at the particle's centre: the energy lost per angle over its
   /// radius; of torsion the moment over it [N].
   double resistance = 0;
-  double resistance_error = 0;   ///< its standard deviation, as stated: along the path, of mesh and steps [N]
-  double lateral_stiffness = 0;  ///< before anything slips [N/m]; 0: it is not stated
+  double resistance_error = 0;  ///< its standard deviation, as stated: along the path, of mesh and steps [N]
+  /// What may all be the mesh's, where no more than it makes of smooth elastic bodies was solved; half of it
+  /// is in the resistance [N].
+  double of_mesh = 0;
+  double lateral_stiffness = 0;        ///< before anything slips [N/m]; 0: it is not stated
   double lateral_stiffness_error = 0;  ///< its standard deviation, as stated [N/m]
   std::string source;                  ///< where it can be looked up
 };

@@ -99,12 +99,25 @@ void SolvedCaseMapping::correct_lateral(FitProblem& problem) {
         "the recording is of several surfaces: the case is solved with its substrate scaled to the RMS "
         "roughness of each, spectrum and seed as they are");
   const auto moved = move(problem.experiment, nullptr);
+  for (const SolvedMotion& motion : moved) of_mesh_.push_back(motion.of_mesh);
   before_ = moved.front().source;
   error_ = resistance_error(moved);
   const auto law = [&] { return Explanation(problem.experiment, problem.choice, {}).mechanics({}); };
   if (problem.experiment.mode == Motion::rolling)
     problem.choice.parameters["rolling_friction"] = {rolling_coefficient(moved, law()), false};
   problem.correction = resistance_difference_to(moved, law());
+}
+
+/// Of a case that has come to resist by more, what its mesh made of it before is half taken out, give or take
+/// that half.
+void SolvedCaseMapping::take_mesh_out(std::vector<SolvedMotion>& moved) const {
+  for (std::size_t i = 0; i < moved.size() && i < of_mesh_.size(); ++i) {
+    SolvedMotion& motion = moved[i];
+    const double half = of_mesh_[i] / 2;
+    if (motion.of_mesh > 0 || motion.resistance <= half) continue;
+    motion.resistance -= half;
+    motion.resistance_error = std::hypot(motion.resistance_error, half);
+  }
 }
 
 std::vector<SolvedMotion> SolvedCaseMapping::move(const Experiment& experiment, const ModelFit* fit) {
@@ -126,6 +139,7 @@ std::vector<SolvedMotion> SolvedCaseMapping::move(const Experiment& experiment, 
     all.insert(all.end(), moved.begin(), moved.end());
   }
   solves_ += static_cast<int>(all.size());
+  if (fit) take_mesh_out(all);
   return all;
 }
 

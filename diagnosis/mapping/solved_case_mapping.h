@@ -84,6 +84,7 @@ class SolvedCaseMapping {
   /// Slides, rolls or spins on each of the recorded surfaces with the changes that the fit has on it; null:
   /// with none.
   std::vector<SolvedMotion> move(const Experiment& experiment, const ModelFit* fit);
+  void take_mesh_out(std::vector<SolvedMotion>& moved) const;
   static std::vector<CaseChange> changes_of(const Experiment& experiment, const ModelFit& fit);
   /// One solution for each of the recording's protocols.
   std::vector<SolvedResponse> solve(const FitProblem& problem, const Trial& trial, const EnoughOfIt& enough);
@@ -115,6 +116,7 @@ class SolvedCaseMapping {
   std::function<void(const std::string&)> progress_;
   RecordedProtocols protocols_;                                      ///< of normal contact
   std::vector<MotionProtocol> motions_;                              ///< of sliding, rolling and torsion
+  std::vector<double> of_mesh_;                                      ///< of each in the case as it is [N]
   std::vector<std::function<double(double force)>> surface_errors_;  ///< of normal contact (mechanics.h)
   std::string before_;
   std::vector<Solution> after_;

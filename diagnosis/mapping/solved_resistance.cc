@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-/// Factors on a law, or errors, at some forces, straight in the logarithm of the force, as at the last one
+/// Factors on a law, or forces, at some forces, straight in the logarithm of the force, as at the last one
 /// beyond them.
 class Factors {
  public:
@@ -41,7 +41,7 @@ class Factors {
 struct SurfaceFactors {
   std::optional<double> rms;  ///< none: the only one
   Factors limit, stiffness;
-  Factors error;  ///< of what was solved [N]
+  Factors offset, error;  ///< of what was solved [N]
 };
 
 class ResistanceDifference : public BranchCorrection {
@@ -54,6 +54,7 @@ class ResistanceDifference : public BranchCorrection {
     return at(sample, &SurfaceFactors::stiffness);
   }
   double error() const override { return relative_error; }
+  double limit_offset(const Sample& sample) const override { return at(sample, &SurfaceFactors::offset, 0); }
   double limit_error(const Sample& sample) const override { return at(sample, &SurfaceFactors::error, 0); }
   double stiffness_error() const override { return relative_stiffness_error; }
 
@@ -133,8 +134,15 @@ class InterpolatedDifference {
   Eigen::VectorXd shares_;
 };
 
-/// What the law's resistance is to be multiplied by on one surface.
-Factors limit_factors(const std::vector<SolvedMotion>& motions, const Mechanics& reduced) {
+/// What was solved may all be the mesh's: it says nothing of what a law of the contact is off by.
+bool is_noise(const std::vector<SolvedMotion>& motions) {
+  return std::any_of(motions.begin(), motions.end(),
+                     [](const SolvedMotion& motion) { return motion.resistance_error >= motion.resistance; });
+}
+
+/// What the law's resistance on one surface is to be multiplied by or, where the solution is noise, what is
+/// to be added to it: a factor would weigh what other effects add.
+void set_limit(const std::vector<SolvedMotion>& motions, const Mechanics& reduced, SurfaceFactors& factors) {
   InterpolatedDifference difference(reduced.experiment.mode);
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const SolvedMotion& motion : motions) {
@@ -142,17 +150,19 @@ Factors limit_factors(const std::vector<SolvedMotion>& motions, const Mechanics&
                    motion.resistance - steady_resistance(reduced, motion, motion.normal_force));
     least = std::min(least, motion.normal_force), most = std::max(most, motion.normal_force);
   }
-  Factors factors;
-  if (motions.empty()) return factors;
   difference.solve();
+  const bool is_added = is_noise(motions);
+  if (!is_added) factors.offset.add(most, 0);
   constexpr int parts = 32;
   const int count = most > least ? parts : 0;
   for (int i = 0; i <= count; ++i) {
     const double force = count == 0 ? most : least * std::pow(most / least, static_cast<double>(i) / parts),
                  by_law = steady_resistance(reduced, motions.front(), force);
-    if (by_law > 0) factors.add(force, 1 + difference.at(force) / by_law);
+    if (is_added)
+      factors.offset.add(force, difference.at(force));
+    else if (by_law > 0)
+      factors.limit.add(force, 1 + difference.at(force) / by_law);
   }
-  return factors;
 }
 
 }  // namespace
@@ -179,7 +189,9 @@ std::shared_ptr<const BranchCorrection> resistance_difference_to(const std::vect
     while (to < motions.size() && motions[to].substrate_rms == motions[from].substrate_rms) ++to;
     const std::vector<SolvedMotion> of_surface(motions.begin() + static_cast<std::ptrdiff_t>(from),
                                                motions.begin() + static_cast<std::ptrdiff_t>(to));
-    SurfaceFactors factors{motions[from].substrate_rms, limit_factors(of_surface, reduced), {}, {}};
+    SurfaceFactors factors;
+    factors.rms = motions[from].substrate_rms;
+    set_limit(of_surface, reduced, factors);
     for (const SolvedMotion& motion : of_surface) {
       factors.error.add(motion.normal_force, motion.resistance_error);
       if (!(motion.lateral_stiffness > 0)) continue;

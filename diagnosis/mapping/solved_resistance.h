@@ -3,11 +3,11 @@
 // and the law is corrected by
 //   T(f; p) = T_reduced(f; p) [1 + D(f)/T_reduced(f; p_k)],  D = T_FE(f; p_k) - T_reduced(f; p_k),
 //   k_l(f) = k_reduced(f) [k_FE/k_reduced](f),
-// D as a share of load, contact area (of rolling: contact radius, of torsion: radius times load) and a force
-// between these loads, the ratio straight in ln f (output space mapping, Echeverría & Hemker 2005). Where the
-// recording varies the roughness of the substrate, each surface is solved. A recorded sphere that rolls under
-// a plate has two contacts, and the force is the mean of both (lateral_limit.h): the case stands for either.
-// SI units.
+// or, where what was solved may all be the mesh's, by D itself, added; D as a share of load, contact area (of
+// rolling: contact radius, of torsion: radius times load) and a force between these loads, the ratio straight
+// in ln f (output space mapping, Echeverría & Hemker 2005). Where the recording varies the roughness of the
+// substrate, each surface is solved. A recorded sphere that rolls under a plate has two contacts, and the
+// force is the mean of both (lateral_limit.h): the case stands for either. SI units.
 #pragma once
 
 #include <memory>

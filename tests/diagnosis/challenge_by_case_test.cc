@@ -127,6 +127,38 @@ TEST(ChallengeByCase_behaviour, the_friction_that_was_found_is_held_against_the_
   EXPECT_EQ(score.parameters[0].truth, concealed.truth.coefficients.at("sliding_friction"));
 }
 
+/// The friction of a case that is to spin is the recording's guess, told as a local one.
+TEST(ChallengeByCase_analytic, a_case_that_spins_is_guessed_as_well_as_the_moment) {
+  int count = 0;
+  for (const auto& item : case_challenge_matrix(false, 3)) {
+    if (item.options.mode != Motion::torsion) continue;
+    const ConcealedRecording concealed = conceal(item);
+    const std::string text = nominal_case(concealed.recording), entry = "Friction coefficient = ";
+    const double guess = std::stod(text.substr(text.find(entry) + entry.size()));
+    // Guessed by a factor of 0.7 to 1.4; the moment is that of the Hertzian contact at half the largest load.
+    EXPECT_GT(guess / concealed.truth.coefficients.at("sliding_friction"), 0.69) << item.name;
+    EXPECT_LT(guess / concealed.truth.coefficients.at("sliding_friction"), 1.41) << item.name;
+    ++count;
+  }
+  EXPECT_EQ(count, 5);
+}
+
+/// f = 2 a w (Kendall 1975), a that of Hertz; the concealed sphere is a true one, wider by a thousandth.
+TEST(ChallengeByCase_analytic, rolling_that_loses_work_of_adhesion_is_concealed_as_kendall_says) {
+  ConcealOptions options;
+  options.mode = Motion::rolling, options.effects = {"rolling_adhesion_hysteresis"}, options.seed = 4;
+  options.noise = 0;
+  const ConcealedRecording concealed = conceal(options);
+  const auto& columns = concealed.recording.tables.front().columns;
+  const double lost = concealed.truth.effects.at(0).parameters.at("work_lost").value;
+  const Hertz hertz{reduced_modulus({71e9, 0.17}, {179e9, 0.25}), 8.5e-6};
+  const auto& force = columns.at("lateral_force");
+  ASSERT_EQ(force.size(), 24u);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    EXPECT_NEAR(std::abs(force[i]) / (2 * hertz.contact_radius(columns.at("normal_force")[i]) * lost), 1,
+                2e-3);
+}
+
 TEST(OtherCodeTruth_other_code, yielding_is_that_of_the_tables) {
   const double yield = 1e9, radius = 8.5e-6;
   const test::TabulatedYielding table(yield, radius);

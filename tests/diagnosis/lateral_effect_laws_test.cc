@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
+#include <string>
 
 #include "core/attraction_zone.h"
 #include "diagnosis/catalogue/effect.h"
@@ -147,22 +149,39 @@ double steady_force(const Mechanics& law, double load) {
   return simulate(law, samples).front();
 }
 
+/// Entries of a case that loses this work of adhesion [J/m^2] as it rolls.
+std::map<std::string, double> lost_work_in_case(const Experiment& e, double lost) {
+  std::map<std::string, double> values;
+  for (const auto& change : effect_of("rolling_adhesion_hysteresis").case_changes(e, &lost))
+    values[change.entry] = change.value;
+  return values;
+}
+
 TEST(RollingAdhesionHysteresis_analytic, loses_its_work_over_the_width_of_Hertz_contact) {
   Experiment e = test::experiment(Motion::rolling);
   e.by_finite_elements = true, e.case_spacing = 20 * nm, e.case_work_of_adhesion = 0.02;
   const double load = 300 * uN, radius = std::cbrt(0.75 * load * e.radius / e.reduced_modulus());
   const Mechanics law = test::with(e, {{"rolling_adhesion_hysteresis", {0.05}}}, 1e-4);
   EXPECT_NEAR(steady_force(law, load) / (1e-4 * load + 2 * radius * 0.05), 1, 1e-9);
-  double opening = 0, closing = 0, range = 0;
-  const double found = 0.05;
-  for (const auto& change : effect_of("rolling_adhesion_hysteresis").case_changes(e, &found)) {
-    if (change.entry == "Interface/Work of adhesion on separation") opening = change.value;
-    if (change.entry == "Interface/Work of adhesion") closing = change.value;
-    if (change.entry == "Interface/Adhesion range") range = change.value;
-  }
+  const auto changes = lost_work_in_case(e, 0.05);
+  const double opening = changes.at("Interface/Work of adhesion on separation"),
+               closing = changes.at("Interface/Work of adhesion"),
+               range = changes.at("Interface/Adhesion range");
   EXPECT_DOUBLE_EQ(closing, 0.02);
   EXPECT_DOUBLE_EQ(opening, 0.07);
   EXPECT_GT(attraction_zone(e.reduced_modulus(), opening, opening / range), 5 * e.case_spacing);
+}
+
+/// A case that derives its mesh from the load is given one whose cells the zone of attraction covers.
+TEST(RollingAdhesionHysteresis_behaviour, resolves_its_zone_where_the_case_names_no_spacing) {
+  Experiment e = test::experiment(Motion::rolling);
+  e.by_finite_elements = true;
+  auto changes = lost_work_in_case(e, 0.05);
+  const double opening = changes.at("Interface/Work of adhesion on separation"),
+               range = changes.at("Interface/Adhesion range"), spacing = changes["Mesh/Interface spacing"];
+  ASSERT_GT(spacing, 0);
+  EXPECT_GT(e.hertz().contact_radius(e.largest_force) / spacing, 15);
+  EXPECT_GT(attraction_zone(e.reduced_modulus(), opening, opening / range), 5 * spacing);
 }
 
 /// M = (3 pi/16) mu f a (Lubkin 1951), over the particle's radius.
