@@ -280,7 +280,9 @@ std::vector<SolvedMotion> FiniteElementModel::move_once(const std::vector<CaseCh
     const CaseProgress& done = progress[i];
     if (done.state == CaseProgress::State::done) continue;
     const std::string folder = (options_.folder / study.cases[i].name).string();
-    if (done.state == CaseProgress::State::failed || done.state == CaseProgress::State::stopped)
+    // Stopped for no reason of its own: by whoever stops the diagnosis.
+    if (done.state == CaseProgress::State::failed ||
+        (done.state == CaseProgress::State::stopped && !done.message.empty()))
       throw WorkError("'" + folder + "' could not be solved: " + done.message);
     throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
   }

@@ -26,14 +26,31 @@ std::size_t first_flat_row(const Values& x, const Values& y, const MotionLeg& le
   return leg.last + 1;
 }
 
+/// The first row from `from` on that does not rise towards the mean of those behind it.
+std::size_t past_first_rise(const Values& resistance, const MotionLeg& leg, std::size_t from) {
+  constexpr double reached = 0.99;
+  double sum = 0;
+  for (std::size_t i = from; i <= leg.last; ++i) sum += resistance[i];
+  std::size_t row = from;
+  for (; row < leg.last; ++row) {
+    const double mean = sum / static_cast<double>(leg.last - row + 1), share = resistance[row] / mean;
+    if (!(share < reached) || !(resistance[row + 1] / mean > share)) break;  // a mean of zero too
+    sum -= resistance[row];
+  }
+  return row;
+}
+
 std::size_t first_steady_row(const MotionRows& rows, const MotionLeg& leg) {
   if (rows.rolling_radius == 0 && rows.sticking.empty())
     return first_flat_row(rows.position, rows.resistance, leg);
   for (std::size_t i = leg.first + 1; i <= leg.last; ++i) {
     const double path_length = std::abs(rows.position[i] - rows.position[leg.first]);
-    if (rows.rolling_radius > 0 ? path_length * rows.rolling_radius >= rows.contact_radius[i]
-                                : rows.sticking[i] <= few_sticking)
-      return i;
+    if (rows.rolling_radius > 0) {
+      if (path_length * rows.rolling_radius >= rows.contact_radius[i]) return i;
+    } else if (rows.sticking[i] <= few_sticking) {
+      // Under little friction a contact slips as it is pressed: what sticks then tells nothing.
+      return i == leg.first + 1 ? past_first_rise(rows.resistance, leg, i) : i;
+    }
   }
   return leg.last + 1;
 }

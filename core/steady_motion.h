@@ -4,8 +4,9 @@
 // A motion is cut into legs at its reversals. A leg is steady from its onset on, for three rows at least:
 // - sliding, spinning: from the first row with at most 2 % of the active contact nodes sticking (nodes
 //   that have just come into contact, or lie at the axis of a spin, may stick while the contact slips as a
-//   whole). Where a history does not say, from where the resistance has stopped to grow: two slopes in a row
-//   below a fiftieth of the steepest of the first three steps.
+//   whole); where none stick from the first row on, as under little friction, from where the resistance has
+//   risen to 99 % of its mean behind, or falls. Where a history does not say, from where the resistance has
+//   stopped to grow: two slopes in a row below a fiftieth of the steepest of the first three steps.
 // - rolling: after a path length of one contact radius, so that the contact that was pressed has been left.
 // The resistance is the energy dissipated per path length or angle on the first pass, over surfaces not yet
 // passed. The force has a conservative topographic part as well, which averages out over a long path only and

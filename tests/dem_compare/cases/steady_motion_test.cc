@@ -99,6 +99,33 @@ TEST(SteadyMotion_behaviour, legs_are_parted_at_reversals_and_rest_belongs_to_no
   EXPECT_EQ(legs[2].last, 9u);
 }
 
+/// With little friction a contact slips radially as it is pressed (Spence 1975): no node sticks when its
+/// motion begins, and the resistance still has to rise.
+TEST(SteadyMotion_analytic, of_a_contact_that_never_sticks_begins_where_its_resistance_has_risen) {
+  const Sliding law;
+  MotionRows rows;
+  constexpr double steps = 8;
+  for (int i = 0; i <= 40; ++i) {
+    rows.position.push_back(law.slip_way() * i / steps);
+    rows.resistance.push_back(law(rows.position.back()));
+    rows.sticking.push_back(0.002);
+  }
+  for (const double sign : {1.0, -1.0}) {
+    for (double& force : rows.resistance) force *= sign;
+    const SteadyRows steady = steady_rows_of_first_leg(rows);
+    ASSERT_TRUE(steady.reached());
+    EXPECT_GE(std::abs(rows.resistance[steady.first]), 0.985 * law.limit);
+    EXPECT_LE(static_cast<double>(steady.first), steps);
+    EXPECT_EQ(steady.last, 40u);
+  }
+  // One step beyond full slip: steady from there, whatever the hills do.
+  for (std::size_t i = 1; i < rows.resistance.size(); ++i) {
+    rows.position[i] = law.slip_way() * static_cast<double>(i + 2);
+    rows.resistance[i] = law.limit * (1 - 0.1 * std::sin(0.7 * static_cast<double>(i)));
+  }
+  EXPECT_EQ(steady_rows_of_first_leg(rows).first, 1u);  // 0.936, 0.901: falls from the first row on
+}
+
 TEST(SteadyMotion_analytic, that_counts_resistance_with_the_other_sign_has_the_same_mean) {
   const Sliding law;
   Loop data = loop(law, law.slip_way() / 10, 60e-9);
