@@ -56,6 +56,7 @@ std::string remark_of(const CharacterisedNumber& number, double accuracy) {
 
 /// "normal stiffness" of normal_stiffness.
 std::string name_of(std::string key) {
+  if (key == "pull_off_force") return "pull-off force";
   std::replace(key.begin(), key.end(), '_', ' ');
   return key;
 }
