@@ -112,7 +112,9 @@ bool adheres(const ContactInputs& inputs) {
   };
   return is_given("Interface/Work of adhesion", Dimension::surface_energy) ||
          is_given("Interface/Work of adhesion on separation", Dimension::surface_energy) ||
-         is_given("Interface/Attraction force", Dimension::force);
+         is_given("Interface/Attraction force", Dimension::force) ||
+         is_given("Interface/Relative humidity", Dimension::none) ||
+         is_given("Interface/Patch potential", Dimension::voltage);
 }
 
 std::vector<std::string> differing_entries(const ContactInputs& one, const ContactInputs& other) {

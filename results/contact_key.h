@@ -26,7 +26,7 @@ ContactInputs case_inputs(const SolvedCase& solved);
 
 /// True if a body ("Particle", "Substrate") has a finite yield stress.
 bool yields(const ContactInputs& inputs, const std::string& body);
-/// True if attraction does work.
+/// True if the surfaces attract: work of adhesion, liquid bridges, patch potentials, or a force.
 bool adheres(const ContactInputs& inputs);
 
 /// Names of the entries in which both differ.

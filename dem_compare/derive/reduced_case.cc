@@ -111,8 +111,9 @@ ReducedCase reduced(const SolvedCase& solved) {
   reduced.motion = solved.motion();
   reduced.hertz = solved.hertz();
   reduced.is_rough = solved.is_rough();
-  reduced.is_adhesive =
-      solved.entries.quantity("Interface/Work of adhesion", Dimension::surface_energy, 0) > 0;
+  ContactInputs beside_the_force = solved.entries.all();
+  beside_the_force.erase("Interface/Attraction force");
+  reduced.is_adhesive = adheres(beside_the_force);
   reduced.attraction = solved.attraction_force();
   reduced.realisation = realisation_of(solved);
   reduced.spacing = solved.interface_spacing();

@@ -30,7 +30,8 @@ struct ReducedCase {
   const SolvedCase* solved = nullptr;
   Motion motion = Motion::normal;
   Hertz hertz;
-  bool is_rough = false, is_adhesive = false;
+  bool is_rough = false;
+  bool is_adhesive = false;  ///< it attracts by more than a force that does not change
   std::string realisation;
   double spacing = unknown;  ///< of the interface mesh [m]
   /// What the contact bears beside the load, as one force [N]: `Interface/Attraction force`, and of a smooth

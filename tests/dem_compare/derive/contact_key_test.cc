@@ -128,6 +128,15 @@ TEST(ContactKey_behaviour, of_a_result_of_an_earlier_version_is_taken_from_what_
   EXPECT_TRUE(adheres(inputs));
 }
 
+TEST(ContactKey_behaviour, knows_what_attracts) {
+  EXPECT_FALSE(adheres({}));
+  EXPECT_FALSE(adheres({{"Interface/Relative humidity", "0"}, {"Interface/Patch potential", "0 V"}}));
+  for (const auto& [entry, text] :
+       {std::pair{"Interface/Work of adhesion", "50 mJ/m^2"}, std::pair{"Interface/Attraction force", "1 uN"},
+        std::pair{"Interface/Relative humidity", "0.4"}, std::pair{"Interface/Patch potential", "0.2 V"}})
+    EXPECT_TRUE(adheres({{entry, text}})) << entry;
+}
+
 /// Two studies may have a cell of the same name.
 TEST(CaseCollection_behaviour, tells_contacts_of_several_studies_apart_that_bear_one_name) {
   const test::TemporaryFolder root;
