@@ -121,7 +121,7 @@ ReducedCase reduced(const SolvedCase& solved) {
   AttractionFit adhesion;
   if (reduced.is_adhesive && !reduced.is_rough) {
     adhesion = fitted_attraction(numbers);
-    reduced.attraction = adhesion.attraction;
+    reduced.attraction = std::max(reduced.attraction, adhesion.attraction);
     numbers = normal_numbers(solved.history, reduced.hertz, reduced.attraction);
   }
   const auto& force = solved.history.normal_force;

@@ -37,7 +37,7 @@ struct ReducedCase {
   /// What the contact bears beside the load, as one force [N]: `Interface/Attraction force`, and of a smooth
   /// contact that adheres the constant with which Hertz fits its loading best, F = K delta^(3/2) - F0
   /// (Derjaguin, Muller & Toporov 1975). A rough one's cannot be told from the offset of its approach.
-  double attraction = 0;                         ///< beyond the contact, as one force [N]
+  double attraction = 0;
   double largest_force = 0, smallest_force = 0;  ///< normal; a pull is negative [N]
   double yielded_from = unknown;  ///< normal force at the first plastic flow [N]; NaN without one
   double plastic_volume = 0;      ///< largest [m^3]

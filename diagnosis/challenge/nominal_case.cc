@@ -1,10 +1,10 @@
 #include "diagnosis/challenge/nominal_case.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/hertz.h"
 #include "core/printed.h"
+#include "dem_compare/laws/hertzian_torsion.h"
 
 namespace asperity {
 namespace {
@@ -17,7 +17,7 @@ std::string body(const char* section, const RecordedBody& body) {
 }
 
 /// Local friction under which Hertz' pressure, of half the largest load, gives the moment of the friction at
-/// the particle's radius: M = (3 pi/16) mu f a (Lubkin 1951).
+/// the particle's radius (hertzian_torsion.h).
 double local_friction(const Recording& recording, double at_radius) {
   double largest = 0;
   for (const double force : recording.tables.front().columns.at("normal_force"))
@@ -25,7 +25,7 @@ double local_friction(const Recording& recording, double at_radius) {
   const ElasticBody particle{recording.particle.youngs_modulus, recording.particle.poissons_ratio},
       substrate{recording.substrate.youngs_modulus, recording.substrate.poissons_ratio};
   const Hertz hertz{reduced_modulus(particle, substrate), recording.particle.radius};
-  return at_radius * hertz.radius / hertz.contact_radius(largest / 2) / (3 * M_PI / 16);
+  return at_radius * hertz.radius / hertz.contact_radius(largest / 2) / full_slip_torsion_coefficient(1);
 }
 
 /// As the recording guesses it; of rolling, which hardly depends on it, a usual one; else 0.
