@@ -59,6 +59,21 @@ double far_beyond_recorded(const FitProblem& problem) {
          std::max(problem.experiment.largest_displacement, recorded_in_contact(problem, Pressed::alone));
 }
 
+/// The fit with another's values of these effects and, where `of_simulation`, of the simulation's own
+/// parameters.
+ModelFit with_values(ModelFit fit, const ModelFit& other, const Effects& of_effects, bool of_simulation) {
+  const auto& parameters = fit.explanation->parameters();
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const int e = parameters[k].effect;
+    const Effect* owner = e < 0 ? nullptr : fit.explanation->effects()[static_cast<std::size_t>(e)];
+    const bool is_meant =
+        owner ? std::find(of_effects.begin(), of_effects.end(), owner) != of_effects.end() : of_simulation;
+    const double* value = is_meant ? other.value_of(parameters[k].name, owner) : nullptr;
+    if (value) fit.values[k] = *value;
+  }
+  return fit;
+}
+
 /// Displacement of the contact, without instruments, under a force on loading [m].
 double loaded_displacement(const FitProblem& problem, const ModelFit& fit, double force) {
   Samples samples;
@@ -154,14 +169,37 @@ SolvedCaseMapping::SolvedSet SolvedCaseMapping::solved_set(const FitProblem& pro
   return {correction_by(solved, trial, reduced), reached(problem, solved), solved.front().source};
 }
 
+bool SolvedCaseMapping::is_served_by(const ConfirmedSet& other, ModelFit& fit,
+                                     const FitProblem& problem) const {
+  fit.explanation = fit.explanation->with(other.fit.explanation->correction());
+  fit.is_confirmed = true;
+  fit.surface = other.fit.surface;
+  const auto from = [&](const ModelFit& start) {
+    return refitted(problem, start, problem.samples, false, steps_of_refit);
+  };
+  const ModelFit from_other = from(with_values(fit, other.fit, other.fit.explanation->effects(), true));
+  fit = from(fit);
+  if (from_other.cost < fit.cost) fit = from_other;
+  const Effects solved = in_case(fit.explanation->effects(), problem.experiment);
+  const ModelFit as_solved = with_values(fit, other.solved_at, solved, false);
+  return distance(problem, problem.samples, as_solved, fit.simulate(problem.samples)) < too_far;
+}
+
 SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candidate,
                                                                const FitProblem& problem) {
   ModelFit& fit = candidate.fit;
   const std::string name = fit.explanation->name();
+  for (const ConfirmedSet& other : confirmed_)
+    if (have_same_entries(other.fit.explanation->effects(), fit.explanation->effects(), problem.experiment) &&
+        is_served_by(other, fit, problem)) {
+      after_.push_back({name, other.source});
+      return {Confirmation::complete, problem.samples, {}};
+    }
   std::string source;
   double apart = 0;
   bool is_settled = false;
   Confirmation answer;
+  ModelFit solved_at;
   for (int i = 0; i < most_solves; ++i) {
     const auto expected = fit.simulate(problem.samples);
     try {
@@ -178,14 +216,14 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
     }
     fit.is_confirmed = true;
     apart = distance(problem, answer.part, fit, expected);
-    const ModelFit solved_at = fit;
+    solved_at = fit;
     fit = refitted(problem, fit, answer.part, false, steps_of_refit);
     is_settled = apart < near_enough ||
                  (apart < too_far &&
                   worse_on_part(problem, answer.part, solved_at, fit, overdispersion_) < little_to_gain);
     if (answer.is_out_of_time ||
         (i > 0 && answer.state == Confirmation::partial && !answer.may_begin_again) ||
-        (i > 0 && answer.state == Confirmation::complete && is_settled))
+        (answer.state == Confirmation::complete && is_settled))
       break;
   }
   if (answer.state == Confirmation::partial) return answer;
@@ -195,12 +233,13 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
                                       most_solves, apart, apart >= too_far ? "; it stays open" : ""));
   if (apart >= too_far) return {Confirmation::failed, {}, {}};
   after_.push_back({name, source});
+  confirmed_.push_back({fit, solved_at, source});
   return answer;
 }
 
 void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
                                 const std::vector<const Candidate*>& survivors) {
-  const auto wanted = worth_solutions(search, problem, survivors);
+  const std::vector<Candidate> wanted = worth_solutions(search, problem, survivors);
   best_measurement_ = search.alone.fit;
   overdispersion_ = search.overdispersion;
   for (auto candidate = search.candidates.rbegin(); candidate != search.candidates.rend(); ++candidate)
@@ -209,17 +248,13 @@ void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
       best_measurement_ = candidate->fit;
   std::vector<Candidate> kept;
   std::vector<std::pair<Candidate, Confirmation>> partial;
-  for (auto& candidate : search.candidates) {
-    const Effects& effects = candidate.fit.explanation->effects();
-    if (!in_case(effects, problem.experiment).empty()) {
-      if (!wanted.count({effects.begin(), effects.end()})) continue;
-      Confirmation answer = confirm_set(candidate, problem);
-      if (answer.state == Confirmation::failed) is_incomplete_ = true;
-      const bool is_complete = answer.state == Confirmation::complete;
-      if (answer.state == Confirmation::partial) partial.emplace_back(candidate, std::move(answer));
-      if (!is_complete) continue;
-    }
-    kept.push_back(candidate);
+  for (const Candidate& candidate : search.candidates)
+    if (in_case(candidate.fit.explanation->effects(), problem.experiment).empty()) kept.push_back(candidate);
+  for (Candidate candidate : wanted) {
+    Confirmation answer = confirm_set(candidate, problem);
+    if (answer.state == Confirmation::failed) is_incomplete_ = true;
+    if (answer.state == Confirmation::complete) kept.push_back(candidate);
+    if (answer.state == Confirmation::partial) partial.emplace_back(candidate, std::move(answer));
   }
   search.candidates = std::move(kept);
   rescore(search, problem);

@@ -99,9 +99,17 @@ class SolvedCaseMapping {
   /// What the approach may be off by because the recorded surface is another realisation.
   void solve_on_other_surfaces();
   std::string enough_of(const SolvedResponse& so_far, const Watch& watch) const;
-  std::set<std::set<const Effect*>> worth_solutions(const SearchResult& search, const FitProblem& problem,
-                                                    const std::vector<const Candidate*>& survivors);
+  std::vector<Candidate> worth_solutions(const SearchResult& search, const FitProblem& problem,
+                                         const std::vector<const Candidate*>& survivors);
   Confirmation reached(const FitProblem& problem, const std::vector<SolvedResponse>& solved) const;
+  /// A set that was solved to the end: as fitted, with the values of its last solution, and where that is.
+  struct ConfirmedSet {
+    ModelFit fit, solved_at;
+    std::string source;
+  };
+  /// Fits a set from the solution of another with the same entries of the case. True: its own values move
+  /// what the case does by less than noise and mesh, so that it needs no solution of its own.
+  bool is_served_by(const ConfirmedSet& other, ModelFit& fit, const FitProblem& problem) const;
   Confirmation confirm_set(Candidate& candidate, const FitProblem& problem);
   void judge_on_part(const SearchResult& search, const FitProblem& problem, const Candidate& candidate,
                      const Confirmation& answer);
@@ -120,6 +128,7 @@ class SolvedCaseMapping {
   std::vector<std::function<double(double force)>> surface_errors_;  ///< of normal contact (mechanics.h)
   std::string before_;
   std::vector<Solution> after_;
+  std::vector<ConfirmedSet> confirmed_;
   double error_ = 0;  ///< of the case as it is: of its approach [m], or of resistance as a part of it [-]
   bool is_lateral_ = false;   ///< slid, rolled or spun
   std::string resistance_{};  ///< what such a motion tells: "friction", "rolling resistance", ...

@@ -1,4 +1,4 @@
-// Which sets are worth solutions by finite elements.
+// Which sets are worth solutions by finite elements, and in which order.
 #include <algorithm>
 
 #include "core/printed.h"
@@ -28,10 +28,37 @@ const Candidate* candidate_of(const SearchResult& search, const Effects& effects
   return nullptr;
 }
 
+/// Those that are wanted, the best first; of sets with the same entries of the case, which one solution may
+/// serve, the smallest first.
+std::vector<Candidate> in_order(const SearchResult& search, const Experiment& experiment,
+                                const std::set<std::set<const Effect*>>& wanted) {
+  std::vector<std::vector<Candidate>> groups;
+  for (const Candidate& candidate : search.candidates) {
+    const Effects& effects = candidate.fit.explanation->effects();
+    if (!wanted.count({effects.begin(), effects.end()})) continue;
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const std::vector<Candidate>& of) {
+      return have_same_entries(of.front().fit.explanation->effects(), effects, experiment);
+    });
+    if (group == groups.end())
+      groups.push_back({candidate});
+    else
+      group->push_back(candidate);
+  }
+  std::vector<Candidate> ordered;
+  for (auto& group : groups) {
+    std::stable_sort(group.begin(), group.end(), [](const Candidate& a, const Candidate& b) {
+      return a.fit.explanation->effects().size() < b.fit.explanation->effects().size();
+    });
+    ordered.insert(ordered.end(), group.begin(), group.end());
+  }
+  return ordered;
+}
+
 }  // namespace
 
-std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
-    const SearchResult& search, const FitProblem& problem, const std::vector<const Candidate*>& survivors) {
+std::vector<Candidate> SolvedCaseMapping::worth_solutions(const SearchResult& search,
+                                                          const FitProblem& problem,
+                                                          const std::vector<const Candidate*>& survivors) {
   std::set<std::set<const Effect*>> wanted;
   const auto want = [&](const Effects& effects) {
     if (!in_case(effects, problem.experiment).empty()) wanted.insert({effects.begin(), effects.end()});
@@ -82,7 +109,7 @@ std::set<std::set<const Effect*>> SolvedCaseMapping::worth_solutions(
         candidate.fit.is_itself() && !is_excluded(candidate))
       want(effects);
   }
-  return wanted;
+  return in_order(search, problem.experiment, wanted);
 }
 
 }  // namespace asperity
