@@ -18,7 +18,8 @@ namespace {
 
 using Effects = std::vector<const Effect*>;
 
-/// Most solutions for one set; root mean square distance to what was expected, in units of noise and mesh.
+/// Most solutions for one set (a second one always checks the first, but of motions, which take minutes);
+/// root mean square distance to what was expected, in units of noise and mesh.
 constexpr int most_solves = 4, steps_of_refit = 6;
 constexpr double near_enough = 0.2, too_far = 1;
 /// Log evidence by which other values fit better than those that were solved: no more than noise makes of two
@@ -223,7 +224,7 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
                   worse_on_part(problem, answer.part, solved_at, fit, overdispersion_) < little_to_gain);
     if (answer.is_out_of_time ||
         (i > 0 && answer.state == Confirmation::partial && !answer.may_begin_again) ||
-        (answer.state == Confirmation::complete && is_settled))
+        ((i > 0 || is_lateral_) && answer.state == Confirmation::complete && is_settled))
       break;
   }
   if (answer.state == Confirmation::partial) return answer;

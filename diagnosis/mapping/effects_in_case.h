@@ -8,6 +8,7 @@
 
 namespace asperity {
 
+/// Those whose values are entries of the case.
 inline std::vector<const Effect*> in_case(const std::vector<const Effect*>& effects,
                                           const Experiment& experiment) {
   std::vector<const Effect*> found;
