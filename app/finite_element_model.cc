@@ -17,6 +17,7 @@
 #include "core/quantity.h"
 #include "core/wait_text.h"
 #include "fem/interface/adhesion_law.h"
+#include "fem/materials/hardening.h"
 
 namespace asperity {
 namespace {
@@ -65,6 +66,11 @@ FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<s
     throw InputError(file.string() + ": Experiment/Type is " + name_of(type) +
                      ", and --case takes cases of one motion, which it drives as was recorded; set Type = "
                      "normal");
+  if (fem::relaxes(input_))
+    throw InputError(file.string() +
+                     ": a body relaxes with time, and --case does not solve a case in the times of a "
+                     "recording yet; leave out Relaxing share and Relaxation time: viscoelasticity is named "
+                     "beside an elastic case");
 }
 
 void FiniteElementModel::refuse_for_normal_recordings() const {

@@ -14,6 +14,7 @@ struct Range {
 };
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, true};
 inline constexpr Range positive_or_infinite{0, std::numeric_limits<double>::infinity(), true, false};
+inline constexpr Range below_one{0, 1, false, true};
 inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false, true};
 
 }  // namespace asperity

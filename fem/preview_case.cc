@@ -77,6 +77,7 @@ LeftOutOfPreview what_is_left_out(const CaseInput& input) {
   left_out.finite_bodies = input.experiment.control == ExperimentInput::Control::displacement;
   left_out.shear_of_films = has_films(input);
   left_out.yielding_films = film_yields(input);
+  left_out.relaxation = fem::relaxes(input);
   return left_out;
 }
 

@@ -10,15 +10,25 @@
 namespace asperity {
 namespace {
 
-/// Why a law of friction that knows rates cannot be told them; empty: it can.
-std::string objection_to_times(const ExperimentInput& e, const std::vector<ProgramPart>& parts) {
+/// Why a law that knows rates cannot be told those of the motion; empty: it can.
+std::string objection_to_speed(const ExperimentInput& e, const std::vector<ProgramPart>& parts,
+                               const std::string& depends) {
   const bool has_speeds = std::all_of(parts.begin(), parts.end(), [](const auto& part) {
     const bool moves = part.rolls() || part.slide != 0 || part.slide_across != 0 || part.spin != 0;
     return !moves || part.speed > 0 || part.duration > 0;
   });
   if (e.speed > 0 || e.type == Motion::normal || (e.type == Motion::program && has_speeds)) return "";
-  return "the law of friction depends on the rate of slip, and the motion has no speed; set "
-         "Experiment/Speed, e.g. 1 um/s";
+  return depends + ", and the motion has no speed; set Experiment/Speed, e.g. 1 um/s";
+}
+
+/// Likewise of a body that relaxes.
+std::string objection_to_times(const ExperimentInput& e, const std::vector<ProgramPart>& parts) {
+  const std::string depends = "a body relaxes with time";
+  if (!(e.load_time > 0))
+    return depends + ", and the loading has no duration; set Experiment/Load time, e.g. 1 s";
+  if (e.hold_steps > 0 && !(e.hold_time > 0))
+    return depends + ", and the hold has no duration; set Experiment/Hold time, e.g. 10 s";
+  return objection_to_speed(e, parts, depends);
 }
 
 /// Checks of a case that need no mesh.
@@ -37,10 +47,14 @@ void require_solvable(const CaseInput& input) {
     const auto friction = fem::make_friction_law(i);
     rubs = friction != nullptr;
     const std::string timeless =
-        friction && friction->resists_by_rate() ? objection_to_times(e, parts) : std::string();
+        friction && friction->resists_by_rate()
+            ? objection_to_speed(e, parts, "the law of friction depends on the rate of slip")
+            : std::string();
     if (!timeless.empty()) throw InputError(timeless);
     fem::make_adhesion_laws(i);
-    for (const auto* body : {&input.particle, &input.substrate}) fem::make_plasticity(*body);
+    if (fem::relaxes(input))
+      if (const std::string no_times = objection_to_times(e, parts); !no_times.empty())
+        throw InputError(no_times);
   } catch (const InputError& error) {
     refuse(error.what());
   }

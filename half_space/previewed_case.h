@@ -44,6 +44,7 @@ struct LeftOutOfPreview {
   std::optional<Motion> motion;
   bool adhesion = false;        ///< acts in a zone too small for half-spaces in cells
   bool shear_of_films = false;  ///< half-spaces with films are solved under normal load alone
+  bool relaxation = false;      ///< bodies relax with time, and this is right after loading
   bool yielding_films = false;  ///< a film is harder than its own yield stress says on a body that is not
   bool finite_bodies = false;   ///< the case is led by its approach, of which their compliance is a part
 };

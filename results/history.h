@@ -12,7 +12,8 @@ namespace asperity {
 /// Value: double for a row, a vector of all rows' values for a history.
 template <class Value>
 struct HistoryColumns {
-  Value step{}, time{};          ///< number of the step, twice: quasi-static, there is no rate
+  Value step{};                  ///< its number
+  Value time{};                  ///< as the case says [s]; a second for each step where it says none
   Value normal_displacement{};   ///< approach of points far from the contact [m]
   Value normal_force{};          ///< [N], compression is positive
   Value lateral_displacement{};  ///< of points far from the contact along x [m]
@@ -30,8 +31,8 @@ struct HistoryColumns {
   Value driven_displacement{};  ///< of the driven plane, finite bodies included [m]
   Value shift{};                ///< of the particle's frame along x, finite bodies included [m]
   Value elastic_energy{};       ///< [J]
-  Value hardening_energy{};     ///< stored by hardening [J]
-  Value plastic_work{};         ///< [J]
+  Value hardening_energy{};     ///< stored by hardening and by delayed elasticity [J]
+  Value plastic_work{};         ///< on plastic and viscous strain [J]
   Value friction_work{};        ///< dissipated by slip [J]
   Value adhesion_energy{};      ///< potential of attraction [J]
   Value adhesion_loss{};        ///< dissipated by bonds that form and break [J]

@@ -126,6 +126,12 @@ bool SolvedCase::can_yield() const {
   return std::isfinite(yield_stress("Particle")) || std::isfinite(yield_stress("Substrate"));
 }
 
+bool SolvedCase::relaxes() const {
+  for (const char* section : {"Particle", "Substrate"})
+    if (entries.quantity(std::string(section) + "/Relaxing share", Dimension::none, 0) > 0) return true;
+  return false;
+}
+
 double SolvedCase::interface_spacing() const {
   if (finished() && std::isfinite(result->interface_spacing)) return result->interface_spacing;
   const double asked = entries.quantity("Mesh/Interface spacing", Dimension::length, 0);

@@ -70,6 +70,8 @@ struct SolvedCase {
   double first_yield_force() const;
   bool is_rough() const;
   bool can_yield() const;
+  /// The shear modulus of a body relaxes with time.
+  bool relaxes() const;
   /// Of the mesh as made [m]; NaN if it is not known.
   double interface_spacing() const;
 

@@ -55,6 +55,10 @@ struct YieldFact {
   std::size_t yielded = 0, cases = 0;
   double from = 0, largest = 0;  ///< load at which it is first seen [N], plastic volume [m^3]
 };
+/// Stiffness depends on how fast a contact is pressed.
+struct RelaxationFact {
+  std::size_t relaxed = 0, cases = 0;
+};
 /// An elasto-plastic law beside what was solved at one load, each less one.
 struct ElastoplasticErrors {
   double load = 0;    ///< the largest of the case [N]
@@ -129,9 +133,9 @@ struct TorsionFact {
   double ratio = 0;
 };
 using Fact = std::variant<ModulusFact, RadiusFact, ExponentFact, NormalStiffnessFact, GrowthFact, YieldFact,
-                          ElastoplasticFact, PullOffFact, ScatterFact, MeshFact, MeanResistanceFact,
-                          DissipationFact, LawFact, LengthFact, MisfitFact, LocalFrictionFact, StiffnessFact,
-                          ReversalFact, ShearModulusFact, TorsionFact>;
+                          RelaxationFact, ElastoplasticFact, PullOffFact, ScatterFact, MeshFact,
+                          MeanResistanceFact, DissipationFact, LawFact, LengthFact, MisfitFact,
+                          LocalFrictionFact, StiffnessFact, ReversalFact, ShearModulusFact, TorsionFact>;
 
 /// What the cases cannot tell, each with the cases that would.
 struct OpenQuestion {

@@ -127,6 +127,13 @@ void find_yielding(const ReducedCases& cases, Derivation& derivation, LawFinding
     if (derivation.parameters.*member) derivation.origin_of(member).push_back({From::yielded});
 }
 
+/// Of bodies that relax no one stiffness holds for all rates.
+void find_relaxation(const ReducedCases& cases, LawFindings& findings) {
+  RelaxationFact fact{0, cases.size()};
+  for (const auto& reduced : cases) fact.relaxed += reduced.relaxes ? 1 : 0;
+  if (fact.relaxed > 0) findings.found.push_back(fact);
+}
+
 void derive_pull_off(const ReducedCases& cases, Derivation& derivation, LawFindings& findings) {
   std::vector<double> pulls;
   bool adhesive = false;
@@ -172,6 +179,7 @@ void derive_normal(const ReducedCases& cases, Derivation& derivation) {
   derive_modulus(cases, derivation, findings);
   derive_normal_stiffness(cases, derivation, findings);
   find_yielding(cases, derivation, findings);
+  find_relaxation(cases, findings);
   derive_elastoplastic(cases, derivation, findings);
   derive_pull_off(cases, derivation, findings);
   derivation.laws.push_back(std::move(findings));

@@ -111,6 +111,7 @@ ReducedCase reduced(const SolvedCase& solved) {
   reduced.motion = solved.motion();
   reduced.hertz = solved.hertz();
   reduced.is_rough = solved.is_rough();
+  reduced.relaxes = solved.relaxes();
   ContactInputs beside_the_force = solved.entries.all();
   beside_the_force.erase("Interface/Attraction force");
   reduced.is_adhesive = adheres(beside_the_force);

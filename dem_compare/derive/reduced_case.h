@@ -31,6 +31,7 @@ struct ReducedCase {
   Motion motion = Motion::normal;
   Hertz hertz;
   bool is_rough = false;
+  bool relaxes = false;      ///< its bodies do with time
   bool is_adhesive = false;  ///< it attracts by more than a force that does not change
   std::string realisation;
   double spacing = unknown;  ///< of the interface mesh [m]

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/yielding_contact.h"
+#include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
 namespace {
@@ -104,6 +106,33 @@ bool is_of_elastic_case(const Experiment& e) {
          e.case_attraction_force == 0;
 }
 
+/// Of a body whose shear modulus relaxes and whose bulk modulus stays.
+struct RelaxingBody {
+  double share, time;  ///< [-], [s]
+};
+
+/// The softer body, if it is the one that lets E* of the pair fall by `share` with `time` [s]: with
+/// E/(1 - nu^2) = 4 G (3K + G)/(3K + 4G), the same E* in the end and the same lag behind slow loading.
+RelaxingBody relaxing_body(const Experiment& e, double share, double time) {
+  const ElasticBody body = softer_body(e);
+  const double G = body.youngs_modulus / (2 * (1 + body.poisson_ratio)),
+               K = body.youngs_modulus / (3 * (1 - 2 * body.poisson_ratio));
+  const auto indented = [K](double shear) { return 4 * shear * (3 * K + shear) / (3 * K + 4 * shear); };
+  const double fast = e.reduced_modulus(), slow = (1 - share) * fast,
+               of_body = 1 / (1 / slow - (1 / fast - 1 / indented(G)));
+  double low = 0, high = G;
+  constexpr int bisections = 60;
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (indented(middle) < of_body ? low : high) = middle;
+  }
+  const double left = 0.5 * (low + high), small = 1e-4 * left,
+               slope = (indented(left + small) - indented(left - small)) / (2 * small);
+  // Slow loading: E* = slow + share time fast d/dt, of the body M = of_body + slope (G - left) tau d/dt.
+  const double lag = share * time * fast * std::pow(of_body / slow, 2) / (slope * (G - left));
+  return {1 - left / G, lag};
+}
+
 class Viscoelasticity : public Effect {
  public:
   const EffectDescription& description() const override {
@@ -144,6 +173,23 @@ class Viscoelasticity : public Effect {
     return is_of_elastic_case(e)
                ? ""
                : "its law holds for elastic bodies without adhesion, and the case yields or attracts";
+  }
+  /// With the time of loading, half of what was recorded: it is pressed and drawn back without a hold.
+  std::vector<CorrectedEntry> corrected_entries(const Experiment& e,
+                                                const std::vector<DiagnosedParameter>& found) const override {
+    if (!is_of_elastic_case(e)) return {};
+    const std::string section = particle_is_softer(e) ? "Particle/" : "Substrate/";
+    const RelaxingBody at = relaxing_body(e, found[0].value, found[1].value);
+    CorrectedEntry share{section + "Relaxing share", "", at.share, at.share, at.share, ""},
+        time{section + "Relaxation time", "s", at.time, at.time, at.time, ""};
+    for (const double of_pair : {found[0].low, found[0].high})
+      for (const double constant : {found[1].low, found[1].high}) {
+        const RelaxingBody corner = relaxing_body(e, of_pair, constant);
+        share.low = std::min(share.low, corner.share), share.high = std::max(share.high, corner.share);
+        time.low = std::min(time.low, corner.time), time.high = std::max(time.high, corner.time);
+      }
+    const double loading = 0.5 * e.duration;
+    return {share, time, {"Experiment/Load time", "s", loading, loading, loading, ""}};
   }
   void assemble(Mechanics& m, const double* p) const override {
     m.normal.contact = std::make_shared<RelaxingContact>(m.geometry, p[0], p[1]);

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <memory>
 
-#include "core/coated_half_space.h"
 #include "core/error.h"
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
 #include "core/shear_moduli.h"
 #include "core/written_apart.h"
 #include "fem/case/contact_path.h"
+#include "fem/case/contact_radii.h"
 #include "fem/case/derived_spacing.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
@@ -90,6 +90,7 @@ J2Material material_of(const BodyInput& body) {
   material.yield_stress = plasticity.yield_stress;
   material.kinematic_modulus = plasticity.kinematic_modulus;
   material.hardening = plasticity.hardening;
+  material.relaxation = plasticity.relaxation;
   return material;
 }
 
@@ -112,66 +113,6 @@ CaseInput with_derived_path_length(const CaseInput& input) {
 }
 
 namespace {
-
-/// Radius of a smooth elastic contact of bodies with films at the largest load or approach [m].
-double filmed_contact_radius(const CaseInput& input, const CaseSetup& setup) {
-  if (!input.particle.film.is_there() && !input.substrate.film.is_there()) return setup.hertz_radius;
-  const auto alone = [](const ElasticBody& body) {
-    return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
-  };
-  double a = setup.hertz_radius;
-  constexpr int enough = 60;  // the modulus changes with less than the radius itself
-  for (int k = 0; k < enough; ++k) {
-    double compliance = 0;
-    for (const BodyInput* body : {&input.particle, &input.substrate}) {
-      const double of_body = alone(elastic_body(*body));
-      const CoatedHalfSpace coated{body->film.is_there() ? alone(elastic_film(body->film)) : of_body, of_body,
-                                   body->film.thickness};
-      compliance += 1 / (body->film.is_there() ? coated.modulus(a) : of_body);
-    }
-    if (input.experiment.control == ExperimentInput::Control::force)
-      a = std::cbrt(0.75 * setup.largest_contact_force() * input.radius * compliance);
-  }
-  return a;
-}
-
-/// Radius that a smooth contact has at most [m]: Hertz', or where a body yields that of a mean pressure of
-/// two yield stresses. A sphere that is indented until all below it flows carries 2.84 of them, less where
-/// the contact is wide (Jackson & Green 2005). Under a given approach its contact is 1.49 times Hertz' at 650
-/// approaches of first yield, where the edge piles up (axisymmetric finite elements of another program).
-double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
-  constexpr double mean_pressure = 2, piled_up = 1.5;  // of the yield stress, of Hertz' radius
-  const double yield =
-      std::min({make_plasticity(input.particle).yield_stress, make_plasticity(input.substrate).yield_stress,
-                input.particle.film.yield_stress, input.substrate.film.yield_stress});
-  // On a soft film much thinner than the contact is wide it is up to the root of two wider than on a
-  // homogeneous body (Perriot & Barthel 2004).
-  const auto is_softer = [](const BodyInput& body) {
-    return body.film.is_there() && body.film.youngs_modulus < body.youngs_modulus;
-  };
-  const bool soft = is_softer(input.particle) || is_softer(input.substrate);
-  const double filmed = soft ? M_SQRT2 * setup.filmed_radius : 0;
-  double flowing = std::sqrt(setup.largest_contact_force() / (M_PI * mean_pressure * yield));
-  if (input.experiment.control == ExperimentInput::Control::displacement)
-    flowing = std::min(flowing, piled_up * setup.hertz_radius);
-  return std::max({setup.hertz_radius, flowing, filmed});
-}
-
-/// Radius to which attraction of a range of nothing draws a smooth contact [m]: the most that it can
-/// (Johnson, Kendall & Roberts 1971). 0: nothing attracts.
-double attracted_radius(const CaseInput& input, const CaseSetup& setup) {
-  const double R = input.radius, E = setup.reduced_modulus,
-               work = setup.attraction.acts() ? work_of_adhesion(input.interface).opening : 0,
-               c = 3 * M_PI * work * R, F = setup.largest_contact_force();
-  if (work == 0) return 0;
-  if (input.experiment.control == ExperimentInput::Control::force)
-    return std::cbrt(0.75 * R * (F + c + std::sqrt(2 * c * F + c * c)) / E);
-  double a = setup.hertz_radius;
-  constexpr int enough = 30;  // each iteration leaves a quarter of the change before
-  for (int k = 0; k < enough; ++k)
-    a = std::sqrt(R * (setup.hertz_approach + std::sqrt(2 * M_PI * work * a / E)));
-  return a;
-}
 
 /// Half width of the finely meshed square [m]; throws InputError where no mesh has it.
 double contact_region(const CaseInput& input, const CaseSetup& setup, double spacing) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fem/case/solve_cost.h"
+#include "fem/materials/hardening.h"
 
 namespace asperity::fem {
 namespace {
@@ -23,6 +24,8 @@ FinePath::FinePath(const CaseInput& input, const CaseSetup& setup, const std::ve
     : sizes_(setup.system.mesh.sizes), layers_(input.mesh.layers) {
   for (const auto& station : program) motions_.push_back(station.motion);
   if (input.mesh.along_path == "whole") return;
+  // Strain that has not yet come back is everywhere, and is not carried to another mesh.
+  if (relaxes(input)) return;
   stride_ = stride_in_regions * sizes_.region_particle;
   margin_ = std::max(0.0, reach_in_radii * setup.largest_radius - sizes_.region_particle);
   if (share_at_a_time() > worth_it) stride_ = 0;

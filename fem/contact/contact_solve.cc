@@ -38,7 +38,7 @@ struct ContactSolver::Iteration {
   Pace pace;
   ContactState& state;
   double target;          ///< load [N] or approach [m]
-  TangentField* tangent;  ///< null: the bodies do not yield
+  TangentField* tangent;  ///< null: the bodies are elastic
   Vector<double> residual, direction;
   double error = 0;  ///< unbalanced force as evaluated last, relative
   LineSearch search;
@@ -74,7 +74,7 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
 
 SolveReport ContactSolver::solve_at(Pace pace, ContactState& state, double target, const RigidMotion& motion,
                                     double time_step) {
-  Iteration at(pace, state, target, system_.bodies().can_yield() ? &tangent_ : nullptr, system_.level(),
+  Iteration at(pace, state, target, system_.bodies().are_inelastic() ? &tangent_ : nullptr, system_.level(),
                tractions_.has_friction() ? patience_with_friction : patience_without);
   begin_step(at, motion, time_step);
   SolveReport& report = at.report;
@@ -106,7 +106,7 @@ void ContactSolver::begin_step(Iteration& at, const RigidMotion& motion, double 
                            : 0;
   system_.couple_at({motion, mean_displacement(state)}, state.displacement);
   state.coupling = system_.coupling();
-  system_.bodies().begin_step({state.time + time_step, time_step});
+  system_.bodies().begin_step({state.time + time_step, time_step}, state.displacement);
   tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows, time_step);
   state.motion = motion;
   if (share > 0) predict(at, share);

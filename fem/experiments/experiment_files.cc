@@ -40,7 +40,8 @@ void set_energies(HistoryRow& r, const BodyEnergies& energies, const HistoryRow&
 HistoryRow ContactExperiment::record(const BodyEnergies& energies, const HistoryRow& sums) const {
   const ContactResultants c = solver_->resultants(state_);
   HistoryRow r;
-  r.step = r.time = static_cast<double>(records_.size() + 1);
+  r.step = static_cast<double>(records_.size() + 1);
+  r.time = state_.time;
   set_energies(r, energies, sums);
   r.normal_force = c.force - setup_.attraction_force;
   r.attraction = c.attraction + setup_.attraction_force;

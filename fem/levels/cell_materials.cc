@@ -40,6 +40,11 @@ unsigned char CellMaterials::number(int body, double share) const {
   return static_cast<unsigned char>(step == 0 ? body : 1 + body * steps_of_share + step);
 }
 
+bool CellMaterials::relaxes() const {
+  return std::any_of(table_.begin(), table_.end(),
+                     [](const J2Material& m) { return m.relaxation.is_there(); });
+}
+
 bool CellMaterials::can_yield() const {
   return std::any_of(table_.begin(), table_.end(), [](const J2Material& m) { return m.can_yield(); });
 }

@@ -32,6 +32,7 @@ class CellMaterials {
   const std::array<double, 2>& thickness() const { return thickness_; }
   bool has_films() const { return thickness_[0] > 0 || thickness_[1] > 0; }
   bool can_yield() const;
+  bool relaxes() const;
 
  private:
   static constexpr int steps_of_share = 100;

@@ -1,7 +1,8 @@
 #include "fem/materials/hardening.h"
 
 #include "core/error.h"
-#include "hardening_files.h"  // all of hardening/; what they declare is linked for being included here
+#include "hardening_files.h"   // all of hardening/; what they declare is linked for being included here
+#include "relaxation_files.h"  // all of relaxation/, likewise
 
 namespace asperity::fem {
 
@@ -31,7 +32,12 @@ Plasticity make_plasticity(const BodyInput& body) {
   const bool yields = std::any_of(material_laws().begin(), material_laws().end(),
                                   [&](const auto& law) { return !first_missing(law, values); });
   if (!yields) return {default_of(yield_stress_parameter())};
-  return the_law_meant(material_laws(), values, "law of plasticity").make(values);
+  return the_law_meant(material_laws(), values, "law of a body").make(values);
+}
+
+bool relaxes(const CaseInput& input) {
+  return make_plasticity(input.particle).relaxation.is_there() ||
+         make_plasticity(input.substrate).relaxation.is_there();
 }
 
 MaterialObjection objection_to(const BodyInput& body) {

@@ -11,6 +11,7 @@
 
 #include "core/case.h"
 #include "core/law_declaration.h"
+#include "fem/materials/relaxation.h"
 
 namespace asperity::fem {
 
@@ -48,11 +49,12 @@ class Hardening {
   virtual bool is_linear() const { return false; }
 };
 
-/// Plasticity of a body by its law.
+/// What a body is beyond elastic, by its law.
 struct Plasticity {
   double yield_stress;                           ///< initial [Pa]
   double kinematic_modulus = 0;                  ///< of Prager's hardening [Pa]
   std::shared_ptr<const Hardening> hardening{};  ///< null: perfectly plastic
+  Relaxation relaxation{};
 };
 
 /// Why a body cannot be meant: the entry at fault, and a sentence that begins with the body's name.
@@ -60,7 +62,7 @@ struct MaterialObjection {
   std::string entry, sentence;
 };
 
-/// What a hardening says of itself, how it is made and what it refuses.
+/// What a law of a body says of itself, how it is made and what it refuses.
 struct MaterialDeclaration : LawDeclaration {
   /// From the values of all of its parameters.
   Plasticity (*make)(const LawValues&);
@@ -78,6 +80,9 @@ ParameterEntry hardening_modulus_parameter();
 /// By the law whose parameters the body gives, all that it needs and none besides; an infinite yield stress
 /// where it gives what none needs. Throws InputError where no law, or more than one, takes just those.
 Plasticity make_plasticity(const BodyInput& body);
+
+/// Whether either body relaxes with time.
+bool relaxes(const CaseInput& input);
 
 /// First objection of any law to a body; an empty sentence: none.
 MaterialObjection objection_to(const BodyInput& body);

@@ -22,6 +22,7 @@ struct J2Material {
   double yield_stress = std::numeric_limits<double>::infinity();  ///< initial one [Pa]
   double kinematic_modulus = 0;                                   ///< H_kin [Pa]
   std::shared_ptr<const Hardening> hardening;                     ///< null: none but the kinematic one
+  Relaxation relaxation;
 
   /// From E [Pa] and nu [-].
   static J2Material elastic(double youngs_modulus, double poisson_ratio) {
@@ -31,6 +32,7 @@ struct J2Material {
     return material;
   }
   bool can_yield() const { return std::isfinite(yield_stress); }
+  bool is_inelastic() const { return can_yield() || relaxation.is_there(); }
   /// alpha: at the end of a step that made the last `increment` of it.
   /// alpha and increment [-].
   FlowStress flow(double alpha, double increment, const StepTime& time) const {
@@ -47,10 +49,10 @@ struct J2Material {
   double isotropic_energy(double alpha) const { return hardening ? hardening->stored_energy(alpha) : 0; }
 };
 
-/// Plastic history of one point in each of eight cells.
+/// History of one point in each of eight cells.
 template <typename V>
 struct PlasticState {
-  SymmetricTensor<V> strain{};  ///< plastic strain e_p (deviatoric)
+  SymmetricTensor<V> strain{};  ///< plastic strain e_p or, where the body relaxes, viscous one (deviatoric)
   V alpha{};                    ///< equivalent plastic strain
 };
 

@@ -5,13 +5,14 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "fem/interface/surface_attraction.h"
+#include "fem/materials/hardening.h"
 
 namespace asperity::fem {
 
 std::optional<half_space::CaseContact> half_space_check(const CaseInput& input, const CaseSetup& setup,
                                                         const HistoryRow& peak, double tension) {
   if (input.experiment.type != Motion::normal || peak.plastic_volume > 0 || !(peak.normal_force > 0) ||
-      input.interface.attraction_force > 0)
+      input.interface.attraction_force > 0 || relaxes(input))
     return std::nullopt;
   CaseInput pressed = input;
   pressed.experiment.control = ExperimentInput::Control::force;

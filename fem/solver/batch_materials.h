@@ -9,14 +9,15 @@ namespace asperity::fem {
 struct BatchMaterials {
   const J2Material* lane[lanes];
   Simd<double> shear, bulk;  ///< [Pa]
-  bool can_yield = false;
+  bool is_inelastic = false, relaxes = false;
 
   BatchMaterials(const CellBatch& batch, const CellMaterials& materials) {
     for (int l = 0; l < lanes; ++l) {
       lane[l] = &materials[batch.material[l]];
       shear[l] = lane[l]->shear_modulus;
       bulk[l] = lane[l]->bulk_modulus;
-      can_yield = can_yield || lane[l]->can_yield();
+      is_inelastic = is_inelastic || lane[l]->is_inelastic();
+      relaxes = relaxes || lane[l]->relaxation.is_there();
     }
   }
 };

@@ -27,6 +27,28 @@ PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& posit
   positions_.assign(positions.begin(), positions.begin() + local);
 }
 
+void PlasticBodies::begin_step(const StepTime& time, const Vector<double>& accepted) {
+  time_ = time;
+  if (!materials_.relaxes()) return;
+  accepted_ = accepted;
+  accepted_.update_ghost_values();
+  relaxation_.clear();
+  for (const J2Material& material : materials_.all())
+    relaxation_.emplace_back(material.relaxation, time.step);
+}
+
+V PlasticBodies::relax(const CellBatch& batch, const SymmetricTensor<V>& before,
+                       const SymmetricTensor<V>& now, PlasticState<V>& state) const {
+  V tangent = V{} + 1.0;
+  for (int l = 0; l < lanes; ++l) {
+    const RelaxationStep& step = relaxation_[batch.material[l]];
+    if (!(step.share > 0)) continue;
+    fem::relax(step, before, now, l, state.strain);
+    tangent[l] = step.tangent();
+  }
+  return tangent;
+}
+
 void PlasticBodies::evaluate(int index, const double* u, HexStrain<V>& strain) const {
   const CellBatch& batch = level_.batches()[index];
   V nodes[3][8];
@@ -44,23 +66,27 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
   level_.for_each_batch([&](int index) {
     const CellBatch& batch = level_.batches()[index];
     const BatchMaterials material(batch, materials_);
-    HexStrain<V> strain;
+    HexStrain<V> strain, before;
     evaluate(index, x, strain);
+    const bool relaxes = material.relaxes && !relaxation_.empty();
+    if (relaxes) evaluate(index, accepted_.begin(), before);
     std::array<SymmetricTensor<V>, points_per_hex> stress;
     TangentField::Batch tangents;
-    bool yields = false;
+    bool changes = relaxes;
     for (int q = 0; q < points_per_hex; ++q) {
-      if (!material.can_yield) {
+      if (!material.is_inelastic) {
         for (int c = 0; c < 6; ++c) stress[q][c] = 2.0 * material.shear * strain.deviator[q][c];
         continue;
       }
       PlasticState<V> state = history_[index] ? (*history_[index])[q] : PlasticState<V>{};
       J2Tangent<V> point;
+      const V left = relaxes ? relax(batch, before.deviator[q], strain.deviator[q], state) : V{} + 1.0;
       failures.guard([&] {
-        yields =
+        changes =
             return_map(material.lane, material.shear, strain.deviator[q], state, stress[q], point, time_) ||
-            yields;
+            changes;
       });
+      point.theta *= left;
       for (int l = 0; l < lanes; ++l) {
         tangents[q].theta[l] = static_cast<float>(point.theta[l]);
         tangents[q].theta_bar[l] = static_cast<float>(point.theta_bar[l]);
@@ -69,7 +95,7 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
     }
     if (tangent) {
       auto& stored = tangent->batch[index];
-      if (!yields)
+      if (!changes)
         stored.reset();
       else if (stored)
         *stored = tangents;
@@ -80,7 +106,7 @@ void PlasticBodies::internal_force(const Vector<double>& u, Vector<double>& f, T
     integrate_stress<double>(strain, stress, material.bulk * strain.dilatation, forces);
     add_nodes(batch, forces, y);
   });
-  if (can_yield()) failures.throw_on_all(level_.communicator());
+  if (are_inelastic()) failures.throw_on_all(level_.communicator());
 }
 
 std::vector<CellState> PlasticBodies::cell_states(const Vector<double>& u) const {

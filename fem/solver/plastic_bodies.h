@@ -1,6 +1,7 @@
-// Internal forces of both bodies from displacement and plastic history, and the history itself.
+// Internal forces of both bodies from displacement and history of plastic and viscous strain, and the history
+// itself.
 //
-// History is kept only for batches of cells that have yielded, and changes only in accept().
+// History is kept only for batches of cells that have yielded or relax, and changes only in accept().
 #pragma once
 
 #include <algorithm>
@@ -17,9 +18,9 @@ namespace asperity::fem {
 /// Energies [J] and extremes of the bodies at an accepted state.
 struct BodyEnergies {
   double elastic = 0;  ///< stored elastically
-  double plastic_work =
-      0;                 ///< increment of the work of stress on plastic strain since the last accepted state
-  double hardening = 0;  ///< stored by hardening (not dissipated)
+  /// Increment of the work of stress on plastic and viscous strain since the last accepted state.
+  double plastic_work = 0;
+  double hardening = 0;                    ///< stored by hardening and by delayed elasticity (not dissipated)
   double plastic_volume = 0;               ///< volume of points with plastic strain [m^3]
   std::array<double, 2> plastic_strain{};  ///< largest of particle and substrate
   std::array<double, 2> von_mises{};       ///< the same [Pa]
@@ -51,8 +52,9 @@ class PlasticBodies {
 
   PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const CellMaterials& materials);
 
-  /// Of the step that the next calls are about.
-  void begin_step(const StepTime& time) { time_ = time; }
+  /// Of the step that the next calls are about, up to accept_step(); `accepted`: displacement at its
+  /// beginning, ghosts up to date.
+  void begin_step(const StepTime& time, const Vector<double>& accepted);
 
   /// f = internal nodal forces for displacement u (ghosts up to date), not condensed, ghosts not compressed.
   /// Fills the tangents of yielding batches where `tangent` is given. Throws StepFailure, on all ranks, where
@@ -91,10 +93,15 @@ class PlasticBodies {
   double approach_error() const { return approach_error_; }
   void take_approach_error(double error) { approach_error_ = error; }
 
-  bool can_yield() const { return materials_.can_yield(); }
+  /// Whether their tangents are other than the elastic ones.
+  bool are_inelastic() const { return materials_.can_yield() || materials_.relaxes(); }
 
  private:
   void evaluate(int batch, const double* u, HexStrain<Simd<double>>& strain) const;
+  /// Of a point in this step, from deviators of strain at its beginning and now; the result: what a lane's
+  /// tangent is multiplied by [-].
+  Simd<double> relax(const CellBatch& batch, const SymmetricTensor<Simd<double>>& before,
+                     const SymmetricTensor<Simd<double>>& now, PlasticState<Simd<double>>& state) const;
   /// Parts of try_step(): what a thread or a rank sums up, a point of the step, and their functions.
   struct StepSums;
   struct PointStep;
@@ -109,6 +116,8 @@ class PlasticBodies {
   std::vector<double> positions_;
   CellMaterials materials_;
   StepTime time_;
+  Vector<double> accepted_;  ///< displacement at the beginning of the step; empty: none relaxes
+  std::vector<RelaxationStep> relaxation_{};  ///< of each material in this step; empty: between steps
   double approach_error_ = 0, tried_approach_error_ = 0;  ///< [m], of all ranks
   std::vector<std::unique_ptr<History>> history_,
       tried_;  ///< accepted; of the step that is tried, where it yields

@@ -76,11 +76,13 @@ inline void PlasticBodies::add_lane(const PointStep& step, const J2Material& mat
     updated.flow_error[c][l] += turn.strain[c];
     sums.left_over += (c < 3 ? 1 : 2) * updated.flow_error[c][l] * step.change_of_stress[c][l] * volume;
   }
-  if (alpha > 0) {
+  if (alpha > 0 || material.relaxation.is_there()) {
     double square = 0;
     for (int c = 0; c < 6; ++c) square += (c < 3 ? 1 : 2) * updated.strain[c][l] * updated.strain[c][l];
     sums.hardening += (material.isotropic_energy(alpha) + material.kinematic_modulus * square / 3) * volume;
-    sums.plastic_volume += volume;
+    if (material.relaxation.is_there())
+      sums.hardening += material.relaxation.delayed_modulus(material.shear_modulus) * square * volume;
+    if (alpha > 0) sums.plastic_volume += volume;
   }
   sums.largest_strain[body] = std::max(sums.largest_strain[body], alpha);
   sums.largest_stress[body] = std::max(sums.largest_stress[body], step.mises[l]);
@@ -94,7 +96,8 @@ inline void PlasticBodies::try_batch(int index, const double* u_before, const do
   HexStrain<V> strain, before;
   evaluate(index, u, strain);
   evaluate(index, u_before, before);
-  bool yields = false;
+  const bool relaxes = material.relaxes && !relaxation_.empty();
+  bool changes = relaxes;
   History updated = history_[index] ? *history_[index] : History{};
   for (int q = 0; q < points_per_hex; ++q) {
     SymmetricTensor<V> stress, stress_before;
@@ -102,16 +105,17 @@ inline void PlasticBodies::try_batch(int index, const double* u_before, const do
     const PointHistory old = updated[q];
     for (int c = 0; c < 6; ++c)
       stress_before[c] = 2.0 * material.shear * (before.deviator[q][c] - old.strain[c]);
+    if (relaxes) relax(batch, before.deviator[q], strain.deviator[q], updated[q]);
     failures.guard([&] {
-      yields =
+      changes =
           return_map(material.lane, material.shear, strain.deviator[q], updated[q], stress, tangent, time_) ||
-          yields;
+          changes;
     });
     const PointStep step(material, stress_before, stress, strain, before, q, old, updated[q]);
     for (int l = 0; l < batch.count; ++l)
       add_lane(step, *material.lane[l], batch.body[l], strain.volume[q][l], l, old, updated[q], sums);
   }
-  if (yields)
+  if (changes)
     tried_[index] = std::make_unique<History>(updated);
   else
     tried_[index].reset();
@@ -150,6 +154,7 @@ BodyEnergies PlasticBodies::of_all_ranks(const StepSums& own, double force_chang
 
 void PlasticBodies::accept_step() {
   approach_error_ = tried_approach_error_;
+  relaxation_.clear();
   for (std::size_t index = 0; index < history_.size(); ++index)
     if (tried_[index]) history_[index] = std::move(tried_[index]);
 }

@@ -30,11 +30,17 @@ std::string share_text(const Uncertain& part, const Uncertain& whole) {
   return lead_number(ratio(part, {whole.value, 0}) * per_cent) + " %";
 }
 
+/// What bodies dissipate by.
+std::string by_bodies(const SolvedCase& solved) {
+  if (solved.can_yield()) return "yielding";
+  return solved.relaxes() ? "relaxation" : "yielding";
+}
+
 /// By mechanism; what takes nothing is named too.
-std::string mechanisms_sentence(const ResistanceParts& parts) {
+std::string mechanisms_sentence(const SolvedCase& solved, const ResistanceParts& parts) {
   if (!std::isfinite(parts.total.value) || parts.total.value == 0)
     return "Its dissipation by mechanism is not identifiable from its history.";
-  return "Of it slip dissipates " + share_text(parts.friction, parts.total) + ", yielding " +
+  return "Of it slip dissipates " + share_text(parts.friction, parts.total) + ", " + by_bodies(solved) + " " +
          share_text(parts.plastic, parts.total) + " and bonds that form and break " +
          share_text(parts.adhesion, parts.total) + ".";
 }
@@ -62,7 +68,7 @@ std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& mo
   const ResistanceParts& parts = path.dissipated;
   if (std::isfinite(parts.total.value) && parts.total.value != 0) {
     tiles.push_back({share_text(parts.friction, parts.total), "dissipated by slip", ""});
-    tiles.push_back({share_text(parts.plastic, parts.total), "dissipated by yielding", ""});
+    tiles.push_back({share_text(parts.plastic, parts.total), "dissipated by " + by_bodies(solved), ""});
     tiles.push_back({share_text(parts.adhesion, parts.total), "dissipated by bonds", "that form and break"});
   }
   const EffectiveNumber stiffness = solved.effective(mode.stiffness_key);
@@ -111,7 +117,7 @@ MotionLead lead_of_motion(const SolvedCase& solved, const MotionMode& mode) {
                   resistance_text(moving.first.resistance(), mode) + ", " +
                   lead_number(coefficient_of(moving, mode, solved.hertz().radius)) + " of the load" +
                   (slides ? "" : " times the particle’s radius") + ". " +
-                  mechanisms_sentence(moving.first.dissipated);
+                  mechanisms_sentence(solved, moving.first.dissipated);
   for (const auto& sentence : {against_local_friction(solved, moving, mode), noise_sentence(solved, mode)})
     if (!sentence.empty()) lead.sentences.push_back(sentence);
   if (moving.first.still_changes())
@@ -148,10 +154,10 @@ MotionLead lead_of_program(const SolvedCase& solved) {
                         percent_text(lateral / load) + " of the largest load"});
   if (sum > 0) {
     lead.sentences.push_back("Of what was dissipated, loading included, slip took " +
-                             percent_text(slip / sum) + ", yielding " + percent_text(plastic / sum) +
-                             " and bonds " + percent_text(bonds / sum) + ".");
+                             percent_text(slip / sum) + ", " + by_bodies(solved) + " " +
+                             percent_text(plastic / sum) + " and bonds " + percent_text(bonds / sum) + ".");
     lead.tiles.push_back({percent_text(slip / sum), "of the dissipation is slip", ""});
-    lead.tiles.push_back({percent_text(plastic / sum), "is yielding", ""});
+    lead.tiles.push_back({percent_text(plastic / sum), "is " + by_bodies(solved), ""});
     lead.tiles.push_back({percent_text(bonds / sum), "is bonds that form and break", ""});
   }
   return lead;

@@ -147,6 +147,9 @@ std::vector<std::string> left_out_sentences(const LeftOutOfPreview& left_out) {
     sentences.push_back(
         "lateral and torsion stiffness are left out: half-spaces with films are solved under normal load "
         "alone");
+  if (left_out.relaxation)
+    sentences.push_back(
+        "bodies relax with time: this is the contact right after fast loading, and it gives way from there");
   if (left_out.yielding_films)
     sentences.push_back(
         "the film is taken as elastic: how hard it is depends on the body below it, which half-spaces do "

@@ -48,6 +48,13 @@ struct InWords {
         {std::to_string(f.yielded), std::to_string(f.cases), force_text(f.from),
          printed("%.2g um^3", f.largest / um3)});
   }
+  std::string operator()(const RelaxationFact& f) const {
+    return say(
+        "bodies relax with time in {} of {} cases: E* and its exponent are those of loading in the cases' "
+        "own "
+        "Load time, and k_n is that of fast changes",
+        {std::to_string(f.relaxed), std::to_string(f.cases)});
+  }
   std::string operator()(const ElastoplasticFact& f) const {
     const bool is_luding = f.law == ElastoplasticFact::Law::luding;
     constexpr double many = 2;

@@ -235,6 +235,39 @@ TEST(RelaxingRoughContact_analytic, pressed_again_is_that_of_boundary_elements_n
   EXPECT_LT(after_opening / largest, 0.12);
 }
 
+/// E* of the pair whose polymer has lost a share of its shear modulus and none of its bulk modulus [Pa].
+double relaxed_modulus(double share) {
+  const ElasticBody& fast = relaxing_polymer;
+  const double shear = (1 - share) * fast.youngs_modulus / (2 * (1 + fast.poisson_ratio)),
+               bulk = fast.youngs_modulus / (3 * (1 - 2 * fast.poisson_ratio)),
+               youngs = 9 * bulk * shear / (3 * bulk + shear);
+  return reduced_modulus({youngs, youngs / (2 * shear) - 1}, stiff_plate);
+}
+
+/// A body that relaxes slowly lags behind its load by what its entries say: to first order in the rate E* is
+/// larger by its derivative with the shear modulus, times the lag of that.
+TEST(SolvedInTime_analytic, the_entries_of_a_relaxing_body_leave_the_pair_its_end_and_its_lag) {
+  Experiment e = test::experiment(Motion::normal);
+  e.particle = relaxing_polymer, e.substrate = stiff_plate;
+  e.by_finite_elements = true, e.duration = 6;
+  for (const double share : {0.05, 0.4, 0.9}) {
+    constexpr double time_constant = 3;
+    const std::vector<DiagnosedParameter> found{
+        {"share", "", share, 0.9 * share, std::min(0.99, 1.1 * share)},
+        {"time_constant", "s", time_constant, 2, 4}};
+    const auto entries = effect_of("viscoelasticity").corrected_entries(e, found);
+    ASSERT_EQ(entries.size(), 3u);
+    const double of_body = entries[0].value, step = 1e-5;
+    EXPECT_NEAR(relaxed_modulus(of_body) / relaxed_modulus(0), 1 - share, 1e-6);
+    const double by_share = (relaxed_modulus(of_body - step) - relaxed_modulus(of_body + step)) / (2 * step);
+    EXPECT_NEAR(by_share * of_body * entries[1].value / (share * time_constant * relaxed_modulus(0)), 1,
+                1e-3);
+    EXPECT_LT(entries[0].low, of_body);
+    EXPECT_GT(entries[1].high, entries[1].value);
+    EXPECT_EQ(entries[2].value, 3);
+  }
+}
+
 TEST(SolvedInTime_behaviour, a_relaxing_body_is_named_around_the_solution_of_a_rough_case) {
   constexpr double share = 0.5, time_constant = 8;
   RoughHalfSpaces contact(share, time_constant);
@@ -247,7 +280,17 @@ TEST(SolvedInTime_behaviour, a_relaxing_body_is_named_around_the_solution_of_a_r
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "viscoelasticity");
   EXPECT_EQ(d.left_out[0].form, "reduced law that changes the normal force that was solved");
-  EXPECT_TRUE(d.left_out[0].case_entries.empty());
+  const auto& entries = d.left_out[0].case_entries;
+  ASSERT_EQ(entries.size(), 3u);
+  EXPECT_EQ(entries[0].entry, "Particle/Relaxing share");
+  EXPECT_EQ(entries[1].entry, "Particle/Relaxation time");
+  EXPECT_EQ(entries[2].entry, "Experiment/Load time");
+  EXPECT_DOUBLE_EQ(entries[2].value, 20);  // of the longest run
+  EXPECT_NEAR(relaxed_modulus(entries[0].value) / relaxed_modulus(0) / (1 - share), 1, 0.05);
+  for (const auto& entry : {entries[0], entries[1]}) {
+    EXPECT_LT(entry.low, entry.value);
+    EXPECT_GT(entry.high, entry.value);
+  }
   for (const auto& p : d.left_out[0].parameters) {
     const double truth = p.name == "share" ? share : time_constant;
     EXPECT_LT(p.low, truth) << p.name;

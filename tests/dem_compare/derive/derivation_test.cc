@@ -395,6 +395,20 @@ TEST(Derivation_behaviour, says_that_material_yielded) {
   EXPECT_EQ(derivation.parameters.derivation["normal"]["yielded"]["cases"], 1);
 }
 
+TEST(Derivation_behaviour, says_that_bodies_relax) {
+  std::mt19937 random(14);
+  ParameterSet set = make_set({}, wide, 1, random);
+  EXPECT_FALSE(test::found<RelaxationFact>(derive_parameters(set).law_of(Motion::normal)));
+  auto entries = set.cases.back().entries.all();
+  entries["Substrate/Relaxing share"] = "0.3";
+  set.cases.back().entries = CaseEntries(entries);
+  const Derivation derivation = derive_parameters(set);
+  const auto* fact = test::found<RelaxationFact>(derivation.law_of(Motion::normal));
+  ASSERT_TRUE(fact);
+  EXPECT_EQ(fact->relaxed, 1u);
+  EXPECT_EQ(fact->cases, 8u);
+}
+
 TEST(Derivation_behaviour, says_what_one_load_cannot_tell) {
   std::mt19937 random(3);
   const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));

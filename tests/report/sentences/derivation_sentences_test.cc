@@ -64,6 +64,7 @@ TEST(DerivationSentences_behaviour, say_odds_for_the_likelier_length) {
 TEST(DerivationSentences_behaviour, name_yielding_and_what_would_tell) {
   EXPECT_SAYS(words_of(Fact{YieldFact{1, 8, 2.25e-3, 2e-20}}),
               "material yielded in 1 of 8 cases, seen first at 2.25 mN (plastic volume up to 0.02 um^3)");
+  EXPECT_SAYS(words_of(Fact{RelaxationFact{2, 8}}), "bodies relax with time in 2 of 8 cases");
   ElastoplasticFact law;
   law.first = {50e9, 1e9}, law.second = {2.5e9, 0.1e9};
   law.at_load = 6e-3, law.good_from = 1e-3;

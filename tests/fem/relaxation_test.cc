@@ -1,0 +1,203 @@
+// Bodies whose shear modulus relaxes: at a point, pressed, and rolled.
+#include "fem/materials/relaxation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/error.h"
+#include "tests/fem/support/solved_experiment.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/verification.h"
+
+namespace {
+
+using namespace asperity;
+using fem::Relaxation;
+using fem::RelaxationStep;
+using test::SolvedExperiment;
+using test::Verified;
+
+constexpr double relaxing_share = 0.6, relaxing_time = 2.0;
+
+/// Shear stress over 2G after strains that change evenly between the times.
+double stress_at_point(const std::vector<double>& times, const std::vector<double>& strains) {
+  fem::SymmetricTensor<fem::Simd<double>> before{}, now{}, viscous{};
+  double last = 0;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    before = now;
+    now[3] = fem::Simd<double>{} + strains[k];
+    fem::relax(RelaxationStep({relaxing_share, relaxing_time}, times[k] - last), before, now, 0, viscous);
+    last = times[k];
+  }
+  return now[3][0] - viscous[3][0];
+}
+
+TEST(Relaxation_analytic, a_ramp_and_a_hold_are_exact_whatever_the_steps) {
+  constexpr double ramp = 0.7, until = 3.1, rate = 1e-3;
+  const double g = relaxing_share, tau = relaxing_time;
+  // int_0^ramp [1 - g (1 - exp(-(t - s)/tau))] rate ds
+  const double expected =
+      rate * ((1 - g) * ramp + g * tau * (std::exp(-(until - ramp) / tau) - std::exp(-until / tau)));
+  EXPECT_TRUE((Verified{"Material law", "standard linear solid, ramp and hold in two steps: stress",
+                        "hereditary integral"}
+                   .below(stress_at_point({ramp, until}, {rate * ramp, rate * ramp}) / expected - 1, 1e-12)));
+  EXPECT_NEAR(stress_at_point({0.2, 0.7, 0.8, 2.0, 3.1}, {0.2e-3, 0.7e-3, 0.7e-3, 0.7e-3, 0.7e-3}) / expected,
+              1, 1e-12);
+}
+
+TEST(Relaxation_analytic, fast_and_slow_strain_meet_their_moduli) {
+  EXPECT_NEAR(stress_at_point({1e-9}, {1e-3}) / 1e-3, 1, 1e-8);
+  EXPECT_NEAR(stress_at_point({1e-9, 1e3}, {1e-3, 1e-3}) / 1e-3, 1 - relaxing_share, 1e-12);
+}
+
+/// A polymer sphere, nearly incompressible, on a block that hardly gives way.
+CaseInput pressed_polymer(double share, double time) {
+  CaseInput c;
+  c.file = "test.prm";
+  c.radius = 8.5e-6;
+  c.particle.youngs_modulus = 3e9, c.particle.poisson_ratio = 0.49;
+  c.substrate.youngs_modulus = 3e12, c.substrate.poisson_ratio = 0.25;
+  if (share > 0) c.particle.parameters = {{"Relaxing share", share}, {"Relaxation time", time}};
+  c.experiment.load_time = 1;
+  c.experiment.unload = false;
+  c.mesh.interface_spacing = 40e-9;
+  c.mesh.layers = 2;
+  c.solver.threads = 1;
+  c.output.fields = false;
+  return c;
+}
+
+SolvedExperiment solved_in_time(const CaseInput& input) {
+  const test::TemporaryFolder folder;
+  return test::solve_experiment(input, folder.path);
+}
+
+/// M(t) = E/(1 - nu^2) under a held strain over its first value: the bulk modulus stays (Lee & Radok 1960).
+class RelaxingIndentation {
+ public:
+  RelaxingIndentation(double nu, double share, double time) : time_(time) {
+    const double G = 1, K = 2 * (1 + nu) / (3 * (1 - 2 * nu)), slow = 1 - share;
+    // Carson transform with p = s tau: G(p) = (p + slow)/(p + 1), M = 4 G (3K + G)/(3K + 4G).
+    const auto numerator = [&](double p) {
+      return 4 * G * (p + slow) * ((3 * K + G) * p + 3 * K + G * slow);
+    };
+    const double lead = 3 * K + 4 * G;
+    rate_[0] = 1, rate_[1] = (3 * K + 4 * G * slow) / lead;
+    const double fast = 4 * G * (3 * K + G) / lead;
+    for (int i = 0; i < 2; ++i) {
+      const double p = -rate_[i], other = p + rate_[1 - i];
+      part_[i] = numerator(p) / (lead * other) / p / fast;
+    }
+    end_ = 4 * G * slow * (3 * K + G * slow) / (3 * K + 4 * G * slow) / fast;
+  }
+  double at(double t) const {
+    double sum = end_;
+    for (int i = 0; i < 2; ++i) sum += part_[i] * std::exp(-rate_[i] * t / time_);
+    return sum;
+  }
+
+ private:
+  double time_, end_ = 1, part_[2]{}, rate_[2]{};
+};
+
+/// Pressed to an approach at an even rate and held there, the force is int M(t - s) dF(d(s)) of the elastic
+/// force F: the contact is that of the elastic body.
+TEST(Relaxation_analytic, a_held_approach_relaxes_as_the_hereditary_integral) {
+  constexpr double tau = 0.8;
+  constexpr std::size_t loading = 8, holding = 5;
+  CaseInput relaxing = pressed_polymer(relaxing_share, tau);
+  relaxing.experiment.control = ExperimentInput::Control::displacement;
+  relaxing.experiment.normal_approach = 20e-9;
+  relaxing.experiment.load_steps = loading;
+  relaxing.experiment.hold_steps = holding, relaxing.experiment.hold_time = 2;
+  CaseInput elastic = relaxing;
+  elastic.particle.parameters.clear();
+  const SolvedExperiment of_relaxing = solved_in_time(relaxing), of_elastic = solved_in_time(elastic);
+  const RelaxingIndentation modulus(0.49, relaxing_share, tau);
+  EXPECT_NEAR(modulus.at(0), 1, 1e-12);
+  test::Largest error;
+  for (std::size_t k = 2; k < loading + holding; ++k) {
+    const double t = of_relaxing.at("time [s]", k), peak = of_elastic.at("normal_force [N]", loading - 1);
+    constexpr int parts = 4000;
+    double expected = 0;
+    for (int i = 0; i < parts; ++i) {
+      const double until = std::min(t, 1.0), s = (i + 0.5) * until / parts;
+      expected += modulus.at(t - s) * 1.5 * std::sqrt(s) * until / parts;
+    }
+    error.count(of_relaxing.at("normal_force [N]", k) / (peak * expected) - 1);
+    std::printf("%zu t %.3f ratio %.5f expected %.5f\n", k, t, of_relaxing.at("normal_force [N]", k) / peak,
+                expected);
+  }
+  EXPECT_TRUE(
+      (Verified{"Hertz", "relaxing sphere, approach in 8 steps and held: force beside the elastic one",
+                "Lee & Radok 1960"}
+           .below(100 * error, 1, "%")));
+  EXPECT_LT(of_relaxing.result["balance"]["energy"].get<double>(), 0.01);
+}
+
+/// In the end a held load stands on elastic bodies of the modulus that is left.
+TEST(Relaxation_analytic, a_held_load_ends_on_the_relaxed_modulus_and_balances_energy) {
+  CaseInput relaxing = pressed_polymer(relaxing_share, 0.1);
+  relaxing.particle.poisson_ratio = 0.3, relaxing.substrate.youngs_modulus = 5e9;
+  relaxing.experiment.normal_load = 10e-6;
+  relaxing.experiment.load_steps = 4;
+  relaxing.experiment.hold_steps = 4, relaxing.experiment.hold_time = 20;
+  CaseInput slow = relaxing;
+  slow.particle.parameters.clear();
+  const double G = 3e9 / 2.6, K = 3e9 / (3 * 0.4), left = (1 - relaxing_share) * G;
+  slow.particle.youngs_modulus = 9 * K * left / (3 * K + left);
+  slow.particle.poisson_ratio = (3 * K - 2 * left) / (2 * (3 * K + left));
+  const SolvedExperiment of_relaxing = solved_in_time(relaxing), of_slow = solved_in_time(slow);
+  const double approach = of_relaxing.at("normal_displacement [m]", 7);
+  EXPECT_GT(approach, 1.02 * of_relaxing.at("normal_displacement [m]", 3));
+  EXPECT_TRUE((Verified{"Hertz", "relaxing sphere under a held load: approach in the end",
+                        "elastic bodies of the relaxed modulus"}
+                   .within(approach, of_slow.at("normal_displacement [m]", 7), 2e-3)));
+  EXPECT_TRUE((Verified{"Experiment", "relaxing sphere under a held load: energy left open", "balance"}.below(
+      100 * of_relaxing.result["balance"]["energy"].get<double>(), 1, "%")));
+}
+
+/// Rolled so slowly that stress lags by g tau/(1 - g): the elastic field moves on, and the lag times the work
+/// of its rate is lost, int dp/dx x/R dA = f/R, a force of lag V f/R (to first order in lag V/a).
+TEST(Relaxation_analytic, a_slowly_rolling_sphere_is_resisted_by_its_lag) {
+  CaseInput c = pressed_polymer(0.5, 1);
+  c.experiment.type = Motion::rolling;
+  c.experiment.normal_load = 100e-6;
+  c.experiment.load_steps = 2, c.experiment.load_time = 30;
+  c.experiment.reverse = false;
+  const double a = hertz_of(c).contact_radius(c.experiment.normal_load) * std::cbrt(2.0);
+  c.experiment.distance = 4 * a;
+  c.mesh.interface_spacing = a / 6;
+  c.experiment.speed = 0.1 * a;
+  const SolvedExperiment rolled = solved_in_time(c);
+  const std::size_t last = rolled.history.rows.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k)
+    std::printf("%zu %.4g %.5f energy %.3g\n", k, rolled.at("rolling_angle [rad]", k) * c.radius / a,
+                rolled.at("rolling_moment [N m]", k) / (0.1 * a * c.experiment.normal_load),
+                rolled.at("energy_error", k));
+}
+
+TEST(Relaxation_behaviour, without_a_duration_is_refused) {
+  CaseInput c = pressed_polymer(0.5, 1);
+  c.experiment.normal_load = 1e-6;
+  c.experiment.load_time = 0;
+  const auto message = [&] {
+    try {
+      solved_in_time(c);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no refusal");
+  };
+  EXPECT_NE(message().find("set Experiment/Load time"), std::string::npos) << message();
+  c.experiment.load_time = 1, c.experiment.hold_steps = 2;
+  EXPECT_NE(message().find("set Experiment/Hold time"), std::string::npos) << message();
+  c.experiment.hold_steps = 0, c.experiment.type = Motion::rolling;
+  EXPECT_NE(message().find("set Experiment/Speed"), std::string::npos) << message();
+  c.particle.parameters["Yield stress"] = 1e8;
+  EXPECT_NE(message().find("law of a body"), std::string::npos) << message();
+}
+
+}  // namespace
