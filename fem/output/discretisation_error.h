@@ -46,7 +46,8 @@ class DiscretisationError {
   double resistance(double share_by_area)
       const;               ///< of sliding, of which this share goes with the area and not with the load
   double torsion() const;  ///< moment
-  double rolling() const;  ///< moment, dissipation
+  /// Moment, dissipation, of which bonds that break take this share.
+  double rolling(double share_by_bonds) const;
   double pull_off() const;
   double spots() const;
 

@@ -157,11 +157,14 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
     const double by_area = sliding->mean > 0 ? std::clamp(1 - by_load / sliding->mean, 0.0, 1.0) : 1.0;
     add("sliding_friction", *sliding, "", error.resistance(by_area), 0);
   }
+  const double dissipated = records.back().dissipated_energy,
+               by_bonds = dissipated > 0 ? records.back().adhesion_loss / dissipated : 0,
+               of_rolling = error.rolling(std::clamp(by_bonds, 0.0, 1.0));
   if (const auto rolling = steady_rolling(records, input.radius))
-    add("rolling_moment", *rolling, "N m", error.rolling(), noise);
+    add("rolling_moment", *rolling, "N m", of_rolling, noise);
   if (const auto dissipation = rolling_dissipation(records, input.radius)) {
     effective.add_absolute("rolling_dissipation", *dissipation, "N m",
-                           root_of_squares({error.rolling() * *dissipation, unbalanced_per_angle(records)}));
+                           root_of_squares({of_rolling * *dissipation, unbalanced_per_angle(records)}));
     effective.add("rolling_noise_floor", noise, "N m", {0.5});
   }
   if (const auto torsion = steady_torsion(records))

@@ -208,4 +208,38 @@ TEST(StatedErrorsNightly_other_code, nine_of_ten_rough_elastic_contacts_are_with
   expect_coverage(cases, 24);
 }
 
+/// Energy that bonds take per angle, 2 w a R on the width of Hertz' contact where nothing attracts on
+/// approach (Kendall 1975), on loads and spacings that the constant was not found from.
+TEST(StatedErrorsNightly_analytic, bonds_that_break_as_a_sphere_rolls_are_within_two_sd) {
+  constexpr double nm = 1e-9, uN = 1e-6, work = 0.05;
+  struct Rolled {
+    double load, spacing, range;
+  };
+  int within = 0;
+  double largest = 0;
+  const std::vector<Rolled> all{{40, 24, 0.5}, {70, 24, 0.5}, {170, 24, 0.5}, {110, 20, 0.4}, {220, 28, 0.6}};
+  for (const Rolled& one : all) {
+    const TemporaryFolder folder;
+    CaseInput c = sphere_on_silicon("smooth", "smooth", one.spacing * nm, 0);
+    c.experiment.type = Motion::rolling;
+    c.experiment.normal_load = one.load * uN;
+    c.experiment.load_steps = 4;
+    c.experiment.unload = c.experiment.reverse = false;
+    c.interface.parameters["Friction coefficient"] = 0.25;
+    c.interface.parameters["Adhesion range"] = one.range * nm;
+    c.interface.work_of_separation = work;
+    const auto lost = solve_experiment(c, folder.path).result["effective"]["rolling_dissipation"];
+    const double expected = 2 * work * hertz_of(c).contact_radius(c.experiment.normal_load) * c.radius,
+                 apart = (lost["value"].get<double>() - expected) / lost["sd"].get<double>();
+    std::printf("%g uN on %g nm: %+.1f %%, %+.2f sd\n", one.load, one.spacing,
+                100 * (lost["value"].get<double>() / expected - 1), apart);
+    within += std::abs(apart) < 2 ? 1 : 0;
+    largest = std::max(largest, std::abs(apart));
+  }
+  EXPECT_GE(within + 1, static_cast<int>(all.size()));
+  EXPECT_TRUE((Verified{"Stated errors", "rolling that breaks bonds, a/h 7 to 12: largest of five errors",
+                        "2 w a R, Kendall (1975)"}
+                   .below(largest, 2.5, "sd")));
+}
+
 }  // namespace
