@@ -134,7 +134,7 @@ void ContactSolver::say_if_unsolved(int iterations) const {
     log("the compliance of the finite bodies is not exact: the linear solver did not converge");
 }
 
-double ContactSolver::far_field_compliance(double radius) {
+double ContactSolver::far_field_compliance(double radius, const std::array<J2Material, 2>* other) {
   const auto& level = system_.level();
   const std::vector<double> forces = hertz_weights(system_, radius);
   Vector<double> load, response;
@@ -147,7 +147,7 @@ double ContactSolver::far_field_compliance(double radius) {
   load.compress(dealii::VectorOperation::add);
   const double spring =
       force_control() ? system_.reduced_modulus() * radius : 0.0;  // carries nothing: the loads balance
-  const auto without_films = system_.linear_without_films();
+  const auto without_films = system_.linear_without_films(other);
   LinearSolver& linear = without_films ? *without_films : system_.linear();
   linear.update(std::vector<RowStiffness>(forces.size()), nullptr, spring);
   say_if_unsolved(linear.solve(response, load, 1e-7));
@@ -155,10 +155,11 @@ double ContactSolver::far_field_compliance(double radius) {
   double mean = 0;
   for (std::size_t r = 0; r < forces.size(); ++r) mean += forces[r] * opening[r];
   // Half-spaces under Hertz' pressure and unit force: delta = 3 / (4 E* a).
-  return mean - mean_over_centre * 3 / (4 * system_.reduced_modulus() * radius);
+  const double modulus = ContactSystem::reduced_modulus(other ? *other : system_.options().materials);
+  return mean - mean_over_centre * 3 / (4 * modulus * radius);
 }
 
-double ContactSolver::lateral_far_field_compliance(double radius) {
+double ContactSolver::lateral_far_field_compliance(double radius, const std::array<J2Material, 2>* other) {
   const auto& level = system_.level();
   const std::vector<double> forces = hertz_weights(system_, radius);
   Vector<double> load, response;
@@ -168,7 +169,7 @@ double ContactSolver::lateral_far_field_compliance(double radius) {
   level.condense(load.begin());
   load.compress(dealii::VectorOperation::add);
   const double spring = force_control() ? system_.reduced_modulus() * radius : 0.0;
-  const auto without_films = system_.linear_without_films();
+  const auto without_films = system_.linear_without_films(other);
   LinearSolver& linear = without_films ? *without_films : system_.linear();
   linear.update(std::vector<RowStiffness>(forces.size()), nullptr, spring);
   say_if_unsolved(linear.solve(response, load, 1e-7));
@@ -177,7 +178,8 @@ double ContactSolver::lateral_far_field_compliance(double radius) {
   for (std::size_t r = 0; r < forces.size(); ++r) mean += forces[r] * slip[r];
   // Half-spaces under shear of Hertz' distribution and unit force: 3 / (16 G* a) at the centre (Johnson 1985,
   // eq. 7.41).
-  return mean - mean_over_centre * 3 / (16 * system_.reduced_shear_modulus() * radius);
+  const double modulus = ContactSystem::reduced_shear_modulus(other ? *other : system_.options().materials);
+  return mean - mean_over_centre * 3 / (16 * modulus * radius);
 }
 
 }  // namespace asperity::fem

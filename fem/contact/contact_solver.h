@@ -65,11 +65,12 @@ class ContactSolver {
   double lateral_stiffness(const ContactState& state);  ///< dQ/d(shift along x) [N/m]
   double torsion_stiffness(const ContactState& state);  ///< dM/d(spin) [N m/rad]
   /// Approach [m/N] that the finite bodies add to (or take from) that of half-spaces, from one elastic
-  /// solution under Hertz' pressure of `radius` (Johnson 1985 eq. 3.39 for the half-spaces).
-  double far_field_compliance(double radius);
+  /// solution under Hertz' pressure of `radius` (Johnson 1985 eq. 3.39 for the half-spaces); `other`: with
+  /// the elasticity of these bodies.
+  double far_field_compliance(double radius, const std::array<J2Material, 2>* other = nullptr);
   /// The same for the shift under a lateral force (Johnson 1985 eq. 7.41 under Hertz' distribution of shear).
   /// radius [m]; the result in [m/N].
-  double lateral_far_field_compliance(double radius);
+  double lateral_far_field_compliance(double radius, const std::array<J2Material, 2>* other = nullptr);
 
   bool has_friction() const { return tractions_.has_friction(); }
   bool has_adhesion() const { return tractions_.has_adhesion(); }

@@ -52,11 +52,13 @@ std::unique_ptr<LinearSolver> ContactSystem::linear_solver(const CellMaterials& 
                                                options_.mesh, geometry_, options_.control});
 }
 
-std::unique_ptr<LinearSolver> ContactSystem::linear_without_films() const {
-  if (!materials_.has_films()) return nullptr;
+std::unique_ptr<LinearSolver> ContactSystem::linear_without_films(
+    const std::array<J2Material, 2>* other) const {
+  if (!other && !materials_.has_films()) return nullptr;
+  const std::array<J2Material, 2>& bodies = other ? *other : options_.materials;
   std::array<Film, 2> as_bodies = options_.films;
-  for (int b = 0; b < 2; ++b) as_bodies[b].material = options_.materials[b];
-  return linear_solver({options_.materials, as_bodies});
+  for (int b = 0; b < 2; ++b) as_bodies[b].material = bodies[b];
+  return linear_solver({bodies, as_bodies});
 }
 
 void ContactSystem::find_faces() {
@@ -167,16 +169,16 @@ double poisson_ratio(const J2Material& m) {
 }
 }  // namespace
 
-double ContactSystem::reduced_modulus() const {
+double ContactSystem::reduced_modulus(const std::array<J2Material, 2>& bodies) {
   double compliance = 0;
-  for (const auto& m : options_.materials)
+  for (const auto& m : bodies)
     compliance += (1 - poisson_ratio(m)) / (2 * m.shear_modulus);  // (1 - nu^2) / E
   return 1 / compliance;
 }
 
-double ContactSystem::reduced_shear_modulus() const {
+double ContactSystem::reduced_shear_modulus(const std::array<J2Material, 2>& bodies) {
   double compliance = 0;
-  for (const auto& m : options_.materials) compliance += (2 - poisson_ratio(m)) / m.shear_modulus;
+  for (const auto& m : bodies) compliance += (2 - poisson_ratio(m)) / m.shear_modulus;
   return 1 / compliance;
 }
 

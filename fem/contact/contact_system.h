@@ -50,8 +50,8 @@ class ContactSystem {
   const std::vector<std::array<double, 3>>& interface_points() const { return interface_points_; }
   LinearSolver& linear() { return *linear_; }
   const LinearSolver& linear() const { return *linear_; }
-  /// Another one of the bodies without their films; null: they have none.
-  std::unique_ptr<LinearSolver> linear_without_films() const;
+  /// Another one of the bodies without their films, `other`: of these in their place; null: it is linear().
+  std::unique_ptr<LinearSolver> linear_without_films(const std::array<J2Material, 2>* other = nullptr) const;
   /// Place of each row's node in the substrate's frame, without shift, displacement and, without tilted
   /// normals, spin [m].
   const std::vector<std::array<double, 3>>& row_points() const { return row_points_; }
@@ -67,10 +67,12 @@ class ContactSystem {
   /// Rows at the corners of each face of the particle's contact region, lexicographic.
   const std::vector<std::array<int, 4>>& row_quads() const { return row_quads_; }
 
-  /// Reduced modulus E* of the pair [Pa].
-  double reduced_modulus() const;
-  /// G* of the pair [Pa], 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2 (Mindlin 1949).
-  double reduced_shear_modulus() const;
+  /// Reduced modulus E* of the pair, or of others [Pa].
+  double reduced_modulus() const { return reduced_modulus(options_.materials); }
+  static double reduced_modulus(const std::array<J2Material, 2>& bodies);
+  /// G* likewise [Pa], 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2 (Mindlin 1949).
+  double reduced_shear_modulus() const { return reduced_shear_modulus(options_.materials); }
+  static double reduced_shear_modulus(const std::array<J2Material, 2>& bodies);
   /// G of both bodies in series [Pa], 1/G = 1/G1 + 1/G2, which governs torsion.
   double torsion_modulus() const;
   /// Rows whose node lies on the rim of the meshed contact region: contact there means the region is too

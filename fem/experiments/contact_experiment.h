@@ -10,6 +10,7 @@
 #include "fem/case/case_setup.h"
 #include "fem/case/fine_path.h"
 #include "fem/contact/contact_solver.h"
+#include "fem/experiments/delayed_far_field.h"
 #include "fem/experiments/solve_options.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/frames.h"
@@ -90,6 +91,7 @@ class ContactExperiment {
   ContactState state_;
   std::vector<HistoryRow> records_;
   MeasuredStiffness stiffness_;
+  DelayedFarField delayed_far_field_{};
   double load_ = 0;                       ///< of the accepted state: force [N] or approach [m]
   double started_ = 0, time_before_ = 0;  ///< wall time of this run's start and of earlier runs [s]
   SolveReport last_report_;

@@ -46,13 +46,15 @@ HistoryRow ContactExperiment::record(const BodyEnergies& energies, const History
   r.normal_force = c.force - setup_.attraction_force;
   r.attraction = c.attraction + setup_.attraction_force;
   r.driven_displacement = state_.approach;
-  r.normal_displacement = state_.approach - stiffness_.far_field * c.force;
+  r.normal_displacement =
+      state_.approach - stiffness_.far_field * c.force - delayed_far_field_.approach(records_, r);
   const RigidMotion& start = program_.front().motion;
   r.shift = state_.motion.x - start.x;
   r.lateral_force = c.lateral_force[0];
   r.shift_across = state_.motion.y - start.y;
   r.lateral_force_across = c.lateral_force[1];
-  r.lateral_displacement = r.shift - stiffness_.lateral_far_field * r.lateral_force;
+  r.lateral_displacement =
+      r.shift - stiffness_.lateral_far_field * r.lateral_force - delayed_far_field_.shift(records_, r);
   r.rolling_angle = state_.motion.roll - start.roll;
   r.rolling_moment = c.rolling_moment;
   r.torsion_angle = state_.motion.spin;

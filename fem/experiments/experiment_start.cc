@@ -116,6 +116,8 @@ void ContactExperiment::measure_far_field() {
                6 * setup_.system.mesh.sizes.spacing_particle);
   stiffness_.far_field = solver_->far_field_compliance(radius);
   stiffness_.lateral_far_field = solver_->lateral_far_field_compliance(radius);
+  delayed_far_field_.measure(*solver_, setup_.system.materials, radius, stiffness_.far_field,
+                             stiffness_.lateral_far_field);
 }
 
 }  // namespace asperity::fem
