@@ -115,6 +115,7 @@ TEST(CaseFile_behaviour, what_contradicts_physics_is_refused_in_a_sentence) {
   EXPECT_CONTAINS(refusal_of_override({"Mesh/Contact region=0.4 um"}), "contact radius of 494 nm");
   EXPECT_CONTAINS(refusal_of_override({"Mesh/Interface spacing=0.4 um"}), "less than two cells");
   EXPECT_CONTAINS(refusal_of_override({"Particle/Voce rate=3"}), "set both or neither");
+  EXPECT_CONTAINS(refusal_of_override({"Particle/Relaxing share=0.3"}), "set both or neither");
   EXPECT_CONTAINS(refusal_of_override({"Particle/Topography=generated(rms=1 nm, seed=4)",
                                        "Substrate/Topography=generated(rms=2 nm, seed=4)"}),
                   "another seed");

@@ -28,6 +28,11 @@ inline const Registered<MaterialDeclaration> standard_linear_solid{
        elastic.relaxation = {values.at("Relaxing share"), values.at("Relaxation time")};
        return elastic;
      },
-     nullptr}};
+     [](double, const LawValues& values) -> MaterialObjection {
+       const bool has_share = values.at("Relaxing share") > 0;
+       if (has_share == (values.at("Relaxation time") > 0)) return {};
+       return {has_share ? "Relaxing share" : "Relaxation time",
+               "'s relaxation needs both Relaxing share and Relaxation time above 0; set both or neither"};
+     }}};
 
 }  // namespace asperity::fem
