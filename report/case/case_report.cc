@@ -73,7 +73,12 @@ std::string energy_warning(const SolvedCase& solved) {
 std::vector<std::string> trust_sentences(const SolvedCase& solved, const GroupComparison& group) {
   std::vector<std::string> sentences;
   const double yield = solved.first_yield_force();
-  if (!solved.is_rough() && group.numbers.force < yield)
+  if (solved.relaxes())
+    sentences.push_back(
+        "Bodies relax with time: Hertz' curves are those of fast loading, and what departs from them depends "
+        "on "
+        "how fast the contact was loaded.");
+  else if (!solved.is_rough() && group.numbers.force < yield)
     sentences.push_back(
         "Smooth bodies below their first yield (" +
         (std::isinf(yield) ? std::string("these cannot yield") : in_units(yield, Dimension::force)) +

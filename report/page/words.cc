@@ -42,7 +42,13 @@ std::string material_in_words(const SolvedCase& solved, const std::string& secti
       in_units(entries.quantity(section + "/Young modulus", Dimension::pressure), Dimension::pressure) +
       ", ν = " + escaped(entries.text(section + "/Poisson ratio"));
   const double yield = entries.quantity(section + "/Yield stress", Dimension::pressure, INFINITY);
-  if (std::isinf(yield)) return words + ", elastic" + film_in_words(entries, section);
+  if (std::isinf(yield)) {
+    const double relaxing = entries.quantity(section + "/Relaxing share", Dimension::none, 0);
+    words += relaxing > 0 ? ", " + percent_text(relaxing) + " of its shear modulus relax with " +
+                                escaped(entries.text(section + "/Relaxation time"))
+                          : ", elastic";
+    return words + film_in_words(entries, section);
+  }
   words += ", yields at " + in_units(yield, Dimension::pressure);
   const double hardening = entries.quantity(section + "/Hardening modulus", Dimension::pressure, 0);
   if (hardening > 0)

@@ -37,6 +37,21 @@ TEST(MotionLead_analytic, of_rolling_gives_the_moment) {
   EXPECT_TRUE(test::has(lead->headline, "yielding 25")) << lead->headline;
 }
 
+TEST(MotionLead_behaviour, of_bodies_that_relax_and_do_not_yield_says_so) {
+  const test::TemporaryFolder root;
+  test::MovingFolder made;
+  made.experiment = "rolling";
+  made.friction = 0, made.plastic = 1e-13, made.adhesion = 3e-13, made.hills = 5;
+  SolvedCase solved = read_solved_case(test::write_moving(root.path / "case", made));
+  auto entries = solved.entries.all();
+  entries["Particle/Yield stress"] = entries["Substrate/Yield stress"] = "inf";
+  entries["Particle/Relaxing share"] = "0.5";
+  solved.entries = CaseEntries(entries);
+  const auto lead = report::motion_lead(solved);
+  ASSERT_TRUE(lead);
+  EXPECT_TRUE(test::has(lead->headline, "relaxation 25")) << lead->headline;
+}
+
 TEST(MotionLead_behaviour, of_a_way_too_short_says_so_and_of_pressing_alone_is_none) {
   const test::TemporaryFolder root;
   test::MovingFolder made;

@@ -133,6 +133,17 @@ TEST_F(ReportFolder_behaviour,
   EXPECT_FALSE(test::has(html, "shortest wave"));
 }
 
+TEST_F(ReportFolder_behaviour, bodies_that_relax_are_said_to_and_need_not_follow_Hertz) {
+  test::SyntheticCase made;
+  made.yield_stress = "inf\n set Relaxing share = 0.4\n set Relaxation time = 2 s";
+  made.imprint = 0;
+  test::write_synthetic_case(made, root);
+  const std::string html = report();
+  EXPECT_TRUE(test::has(html, "40 % of its shear modulus relax with 2 s"));
+  EXPECT_TRUE(test::has(html, "Hertz' curves are those of fast loading"));
+  EXPECT_FALSE(test::has(html, "must follow Hertz"));
+}
+
 TEST_F(ReportFolder_behaviour, an_unfinished_case_is_shown_as_far_as_it_came) {
   test::SyntheticCase made;
   made.finished = false;
