@@ -1,6 +1,7 @@
 #include "fem/case/solve_cost.h"
 
 #include "fem/case/fine_path.h"
+#include "fem/materials/hardening.h"
 #include "fem/programs/program.h"
 
 namespace asperity::fem {
@@ -13,12 +14,13 @@ double estimated_unknowns(const meshing::BodySizes& sizes, double layers) {
               nodes(sizes.region_substrate, sizes.reach_substrate, sizes.spacing_substrate));
 }
 
-double estimated_memory(double unknowns) {
+double estimated_memory(double unknowns, bool all_keep_history) {
   // Program and libraries, then each unknown. Line through the maximum resident sets that result.json of
   // runs/paper/surfaces.prm states: 295 MB for 122121 unknowns (18 nm at the interface), 389 MB for 257358
-  // (12 nm).
-  constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750;
-  return bytes_of_program + unknowns * bytes_per_unknown;
+  // (12 nm). Where all cells keep a history and a tangent, as of bodies that relax: 8e4 unknowns in 305 and
+  // 347 MB.
+  constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750, with_history = 1700;
+  return bytes_of_program + unknowns * (all_keep_history ? with_history : bytes_per_unknown);
 }
 
 SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yields) {
@@ -32,9 +34,10 @@ SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yi
   SolveCost cost;
   cost.unknowns = bulk + estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers) *
                              FinePath(input, setup, program).share_at_a_time();
-  cost.memory = estimated_memory(cost.unknowns);
+  cost.memory = estimated_memory(cost.unknowns, relaxes(input));
   cost.steps = static_cast<int>(program.size());
-  cost.seconds = cost.unknowns * (before + cost.steps * (yields ? yielding_step : elastic_step));
+  const bool is_inelastic = yields || relaxes(input);
+  cost.seconds = cost.unknowns * (before + cost.steps * (is_inelastic ? yielding_step : elastic_step));
   return cost;
 }
 

@@ -10,8 +10,8 @@ namespace asperity::fem {
 /// layers [-].
 double estimated_unknowns(const meshing::BodySizes& sizes, double layers);
 
-/// Peak memory of `asperity solve` on one process [byte].
-double estimated_memory(double unknowns);
+/// Peak memory of `asperity solve` on one process [byte]; all_keep_history: all cells of the bodies.
+double estimated_memory(double unknowns, bool all_keep_history = false);
 
 struct SolveCost {
   double unknowns = 0;  ///< [-]
