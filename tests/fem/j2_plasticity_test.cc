@@ -234,6 +234,43 @@ TEST(J2_analytic, a_yield_stress_that_follows_the_rate_relaxes_with_the_logarith
                   .below(error, 1e-3, "Y"));
 }
 
+/// With m = 1/2 and y = m (sigma/Y - 1)/C the rate is ((1 + y)^2 - 1)/t0, so that y' = -k (2 y + y^2).
+TEST(J2_analytic, a_power_of_the_rate_relaxes_a_held_strain_as_its_closed_form) {
+  constexpr double sensitivity = 0.02, time = 5, exponent = 0.5;
+  J2Material m = material();
+  m.hardening = std::make_shared<RateDependent>(0, sensitivity, time, exponent);
+  Point p(m);
+  const double elastic = 3 * m.shear_modulus, strain = 1.3 * Y / elastic,
+               k = exponent * elastic / (sensitivity * Y * time);
+  const auto over_stress = [&] { return exponent * (p.uniaxial_stress() / Y - 1) / sensitivity; };
+  p.time = {0, 1e-9};  // at once, nearly
+  p.stretch_to(strain);
+  const double first = over_stress();
+  Largest error;
+  double now = 0;
+  for (double step = 1e-6; now < 3 / k; step *= 1.02) {
+    p.time = {0, step};
+    p.stretch_to(strain);
+    now += step;
+    const double left = first / (first + 2) * std::exp(-2 * k * now);
+    error.count((over_stress() - 2 * left / (1 - left)) / first);
+  }
+  EXPECT_GT(first, 3);  // where the power rules
+  EXPECT_TRUE(
+      at_a_point("yield stress that follows a power of the rate: relaxation of a held strain", "closed form")
+          .below(error, 1e-2, "of the overstress"));
+}
+
+TEST(J2_analytic, a_small_power_of_the_rate_is_the_logarithm) {
+  for (const double alpha : {1e-4, 0.1}) {
+    const YieldingPoint point{Y, alpha, alpha / 2, {0, 0.3}};
+    const FlowStress power = RateDependent(1e9, 0.03, 1e4, 1e-7).flow(point),
+                     logarithm = RateDependent(1e9, 0.03, 1e4).flow(point);
+    EXPECT_NEAR(power.stress / logarithm.stress, 1, 1e-6);
+    EXPECT_NEAR(power.slope / logarithm.slope, 1, 1e-5);
+  }
+}
+
 TEST(J2_analytic, under_a_steady_rate_the_yield_stress_is_that_of_the_rate) {
   J2Material m = material();
   m.hardening = std::make_shared<RateDependent>(2e9, 0.03, 10);
