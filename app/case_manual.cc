@@ -72,7 +72,7 @@ std::string list_of_laws(const std::string& heading, const std::vector<Law>& law
 
 std::string laws_of_bodies(Equations equations) {
   return list_of_laws(
-      "A law of plasticity is asked for by its entries: what it needs and none of another's; a body without "
+      "A law of a body is asked for by its entries: what it needs and none of another's; a body without "
       "any stays elastic.",
       fem::material_laws(), equations);
 }

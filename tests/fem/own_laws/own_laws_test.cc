@@ -221,7 +221,7 @@ TEST(OwnLaws_behaviour, are_in_manual_and_choices_and_refuse_entries_that_are_no
   EXPECT_NO_THROW(check_case(input));
   input.particle.parameters = {
       {"Yield stress", 1e9}, {"Swift strain", 0.01}, {"Swift exponent", 0.2}, {"Voce rate", 3}};
-  EXPECT_NE(message().find("no law of plasticity takes just "), std::string::npos) << message();
+  EXPECT_NE(message().find("no law of a body takes just "), std::string::npos) << message();
 }
 
 }  // namespace
