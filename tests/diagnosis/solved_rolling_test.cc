@@ -167,6 +167,8 @@ TEST(SolvedRolling_behaviour, a_case_without_a_resistance_of_its_own_lends_no_ro
   EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "rolling_adhesion_hysteresis");
+  EXPECT_LE(stand_in.paths.size(),
+            9u);  // as it is and twice with what it lacks, which serves all larger sets
   EXPECT_NEAR(d.left_out[0].parameters[0].value / 0.05, 1, 0.05);
 }
 
@@ -180,6 +182,8 @@ TEST(SolvedRolling_behaviour, noise_of_the_mesh_that_grows_with_the_load_hides_n
       rolled([&](double f, double) { return RollingStandIn::rolls(0, 0, 0.06, f); }, 0.01), stand_in);
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "rolling_adhesion_hysteresis") << d.in_words;
+  EXPECT_LE(stand_in.paths.size(),
+            9u);  // as it is and twice with what it lacks, which serves all larger sets
   EXPECT_LT(d.left_out[0].parameters[0].low, 0.06);
   EXPECT_GT(d.left_out[0].parameters[0].high, 0.06);
 }
