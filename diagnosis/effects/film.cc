@@ -65,9 +65,12 @@ class Film : public Effect {
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double radius = std::sqrt(e.radius * e.largest_displacement);
     // In a case the film lies on one body, and the other keeps its own modulus.
-    constexpr double largest = 100, nearly_rigid = 0.99, stiffer = 3;
+    constexpr double largest = 100, nearly_rigid = 0.99, stiffer = 3, most_radii = 10, of_sphere = 0.45;
     const double high =
         e.by_finite_elements ? nearly_rigid * coated_of(e).of_other / e.reduced_modulus() : largest;
+    // A case takes films up to half the particle's radius: what is thicker is the body.
+    const double thickest =
+        e.by_finite_elements ? std::min(most_radii * radius, of_sphere * e.radius) : most_radii * radius;
     return {{"modulus_ratio",
              "",
              "reduced modulus with the film alone over that of the bodies",
@@ -75,7 +78,7 @@ class Film : public Effect {
              high,
              true,
              {0.1, 0.4, std::min(stiffer, std::sqrt(high))}},
-            {"thickness", "m", "t", 1e-3 * radius, 10 * radius, true, {0.05 * radius, 0.5 * radius}}};
+            {"thickness", "m", "t", 1e-3 * radius, thickest, true, {0.05 * radius, 0.5 * radius}}};
   }
   /// Asperities give way as a film does, and where the case has none the data are not asked for them.
   std::string not_recorded(const Experiment& e) const override {
