@@ -267,6 +267,9 @@ TEST(DiagnoseCase_behaviour, what_it_cannot_take_is_refused) {
           "cases without adhesion so far");
   refused(" --case " + file.string() + " --set 'Experiment/Type=torsion' --set 'Experiment/Angle=1 mrad'",
           "Experiment/Type is torsion");
+  refused(" --case " + file.string() +
+              " --set 'Particle/Relaxing share=0.3' --set 'Particle/Relaxation time=1 s'",
+          "a body relaxes with time");
   refused(" --set 'Particle/Radius=1 um'", "name it with --case");
   refused(" --case " + (folder.path / "none.prm").string(), "none.prm");
 }

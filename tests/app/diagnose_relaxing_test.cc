@@ -1,0 +1,107 @@
+// asperity diagnose --case where the truth is the solver's own body that relaxes, on another mesh.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/atomic_file.h"
+#include "core/csv.h"
+#include "core/printed.h"
+#include "tests/app/called_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+/// A rough polymer under a silicon plane; `of_polymer`, `experiment`: more entries.
+std::string polymer_case(const std::string& of_polymer, const std::string& experiment, double spacing_nm) {
+  return "subsection Particle\n set Radius = 8.5 um\n set Young modulus = 3 GPa\n set Poisson ratio = "
+         "0.34\n" +
+         of_polymer +
+         "end\nsubsection Substrate\n set Young modulus = 179 GPa\n set Poisson ratio = 0.25\n"
+         " set Topography = generated(rms=2 nm, hurst=0.8, rolloff=400 nm, cutoff=160 nm, seed=4)\nend\n"
+         "subsection Experiment\n" +
+         experiment +
+         printed("end\nsubsection Mesh\n set Interface spacing = %g nm\n set Layers = 2\n", spacing_nm) +
+         "end\nsubsection Output\n set Fields = false\nend\n";
+}
+
+struct RelaxingTruth {
+  std::string rows = "run,segment,time [s],normal_displacement [m],normal_force [N]\n";
+  int runs = 0;
+};
+
+/// Pressed by 40 nm and drawn back, each in `time` [s], noise of 0.4 % of some 100 uN.
+void press(const test::TemporaryFolder& folder, double time, std::mt19937& random, RelaxingTruth& truth) {
+  constexpr int steps = 30;
+  const std::string name = printed("truth%d", ++truth.runs);
+  const auto file = folder.write(
+      name + ".prm",
+      polymer_case(" set Relaxing share = 0.5\n set Relaxation time = 8 s\n",
+                   printed(" set Control = displacement\n set Normal approach = 40 nm\n set Load steps = %d\n"
+                           " set Unload steps = %d\n set Load time = %g s\n",
+                           steps, steps, time),
+                   40));
+  const auto solved = test::call("solve " + file.string() + " --output " + (folder.path / name).string());
+  ASSERT_EQ(solved.status, 0) << solved.output;
+  const CsvTable history = read_csv(folder.path / name / "history.csv");
+  const auto times = history.numbers("time [s]"), depths = history.numbers("driven_displacement [m]"),
+             forces = history.numbers("normal_force [N]");
+  std::normal_distribution<double> noise(0, 0.4e-6);
+  for (std::size_t k = 0; k < times.size(); ++k)
+    for (const double share : {0.5, 1.0}) {
+      const auto between = [&](const std::vector<double>& values) {
+        return (1 - share) * (k > 0 ? values[k - 1] : 0) + share * values[k];
+      };
+      truth.rows += printed("%d,%s,%.6g,%.6e,%.6e\n", truth.runs, k < steps ? "load" : "unload",
+                            between(times), between(depths), between(forces) + noise(random));
+    }
+}
+
+TEST(DiagnoseCaseNightly_other_code, a_body_that_relaxes_is_named_and_the_corrected_case_has_its_entries) {
+  const test::TemporaryFolder folder;
+  std::mt19937 random(3);
+  RelaxingTruth truth;
+  for (const double time : {2.0, 20.0}) press(folder, time, random, truth);
+  const auto recording = folder.path / "recording";
+  std::filesystem::create_directory(recording);
+  write_file_atomically(recording / "data.csv", truth.rows);
+  const nlohmann::json polymer{
+      {"material", "polymer"}, {"youngs_modulus", "3 GPa"}, {"poissons_ratio", 0.34}, {"radius", "8.5 um"}};
+  const nlohmann::json silicon{
+      {"material", "silicon"}, {"youngs_modulus", "179 GPa"}, {"poissons_ratio", 0.25}};
+  nlohmann::json about{{"format", "asperity-recording/1"},
+                       {"title", "polymer"},
+                       {"mode", "normal"},
+                       {"particle", polymer},
+                       {"substrate", silicon}};
+  nlohmann::json table{{"file", "data.csv"}, {"kind", "trace"}, {"response", "normal_force"}};
+  table["control"] = std::vector<std::string>{"normal_displacement"};
+  about["tables"] = std::vector<nlohmann::json>{table};
+  write_file_atomically(recording / "recording.json", about.dump());
+  const auto file = folder.write("mine.prm", polymer_case("", " set Normal load = 50 uN\n", 50));
+  const auto output = folder.path / "diagnosis";
+  const auto outcome = test::call("diagnose " + recording.string() + " --case " + file.string() +
+                                  " --output " + output.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const auto said = nlohmann::json::parse(read_file(output / "diagnosis.json"));
+  EXPECT_EQ(said["verdict"], "explained") << outcome.output;
+  ASSERT_EQ(said["left_out"].size(), 1u) << outcome.output;
+  EXPECT_EQ(said["left_out"][0]["effect"], "viscoelasticity");
+  const auto& corrected = said["forward_model"]["corrected"];
+  const auto expect_entry = [&](const char* name, double expected) {
+    ASSERT_TRUE(corrected.contains(name)) << outcome.output;
+    EXPECT_NEAR(corrected[name]["value"].get<double>() / expected, 1, 0.15) << name;
+    EXPECT_LT(corrected[name]["ci95"][0], expected) << name;
+    EXPECT_GT(corrected[name]["ci95"][1], expected) << name;
+  };
+  expect_entry("Particle/Relaxing share", 0.5);
+  expect_entry("Particle/Relaxation time", 8);
+  const auto solved = test::call("solve " + (output / "corrected.prm").string() + " --output " +
+                                 (folder.path / "corrected").string());
+  EXPECT_EQ(solved.status, 0) << solved.output;
+}
+
+}  // namespace
+}  // namespace asperity
