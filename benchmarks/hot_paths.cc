@@ -176,7 +176,21 @@ void return_mapping(benchmark::State& state) {
   }
   count(state, lanes);
 }
-// Its reference: the same points' deviatoric stress without yielding.
+// Eight points at once, all relaxing.
+void relaxation(benchmark::State& state) {
+  const RelaxationStep step({0.5, 1.0}, 0.3);
+  SymmetricTensor<Simd<double>> before, now, viscous{};
+  for (int c = 0; c < 6; ++c)
+    for (int l = 0; l < lanes; ++l)
+      before[c][l] = 0.1 * std::sin(1.0 + 3 * c + l), now[c][l] = 1.1 * before[c][l];
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(now);
+    for (int l = 0; l < lanes; ++l) relax(step, before, now, l, viscous);
+    benchmark::DoNotOptimize(viscous);
+  }
+  count(state, lanes);
+}
+// Their reference: the same points' deviatoric stress without yielding.
 void elastic_stress(benchmark::State& state) {
   const Simd<double> shear = Simd<double>{} + 30e9;
   SymmetricTensor<Simd<double>> strain;
@@ -345,6 +359,7 @@ constexpr Comparison comparisons[] = {
     {"internal force", "stiffness, double", "forces of elastic bodies against the operator"},
     {"internal force with yielding", "internal force", "what return mapping adds"},
     {"return mapping", "elastic stress", "a yielding point against an elastic one"},
+    {"relaxation", "return mapping", "a relaxing point against a yielding one"},
     {"interface, float", "stiffness, float", "contact stiffness against the bodies'"},
     {"interface, double", "stiffness, double", "the same in double precision"},
     {"Chebyshev smoothing", "stiffness with yielding, float", "in operator applications (degree 4: four)"},
@@ -409,6 +424,7 @@ void register_all() {
   add("internal force", internal_force<false>);
   add("internal force with yielding", internal_force<true>);
   add("return mapping", return_mapping);
+  add("relaxation", relaxation);
   add("elastic stress", elastic_stress);
   add("interface, double", interface_stiffness<double>);
   add("interface, float", interface_stiffness<float>);
