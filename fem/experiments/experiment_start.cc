@@ -9,6 +9,7 @@
 #include "fem/case/mesh_quality.h"
 #include "fem/contact/carried_state.h"
 #include "fem/experiments/contact_experiment.h"
+#include "fem/materials/hardening.h"
 
 namespace asperity::fem {
 
@@ -110,10 +111,11 @@ void ContactExperiment::travel_to(const RigidMotion& motion) {
 void ContactExperiment::measure_far_field() {
   // A radius well inside of the region and several spacings wide; the far field does not depend on it at
   // first order. Also when resumed: the smoothers take their eigenvalues from the first system they see, and
-  // with the same ones the steps that follow are the same to the last digit.
-  const double radius =
-      std::max(std::min(setup_.hertz_radius, 0.8 * setup_.system.mesh.sizes.region_particle),
-               6 * setup_.system.mesh.sizes.spacing_particle);
+  // with the same ones the steps that follow are the same to the last digit. Of bodies that relax that of the
+  // contact in the end, where the far field is largest.
+  const double contact = relaxes(input_) ? setup_.largest_radius : setup_.hertz_radius;
+  const double radius = std::max(std::min(contact, 0.8 * setup_.system.mesh.sizes.region_particle),
+                                 6 * setup_.system.mesh.sizes.spacing_particle);
   stiffness_.far_field = solver_->far_field_compliance(radius);
   stiffness_.lateral_far_field = solver_->lateral_far_field_compliance(radius);
   delayed_far_field_.measure(*solver_, setup_.system.materials, radius, stiffness_.far_field,

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/printed.h"
+#include "fem/case/fine_path.h"
 #include "tests/fem/support/relaxing_half_space.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/support/temporary_folder.h"
@@ -70,6 +71,16 @@ CaseInput pressed_polymer(double share, double time) {
   c.solver.threads = 1;
   c.output.fields = false;
   return c;
+}
+
+/// The elastic body that is left in the end.
+BodyInput relaxed_polymer(BodyInput body) {
+  const double E = body.youngs_modulus, nu = body.poisson_ratio, K = E / (3 * (1 - 2 * nu)),
+               left = (1 - body.parameters.at("Relaxing share")) * E / (2 * (1 + nu));
+  body.parameters.clear();
+  body.youngs_modulus = 9 * K * left / (3 * K + left);
+  body.poisson_ratio = (3 * K - 2 * left) / (2 * (3 * K + left));
+  return body;
 }
 
 SolvedExperiment solved_in_time(const CaseInput& input) {
@@ -158,10 +169,7 @@ TEST(Relaxation_analytic, a_held_load_ends_on_the_relaxed_modulus_and_balances_e
   relaxing.experiment.load_steps = 4;
   relaxing.experiment.hold_steps = 4, relaxing.experiment.hold_time = 20;
   CaseInput slow = relaxing;
-  slow.particle.parameters.clear();
-  const double G = 3e9 / 2.6, K = 3e9 / (3 * 0.4), left = (1 - relaxing_share) * G;
-  slow.particle.youngs_modulus = 9 * K * left / (3 * K + left);
-  slow.particle.poisson_ratio = (3 * K - 2 * left) / (2 * (3 * K + left));
+  slow.particle = relaxed_polymer(relaxing.particle);
   const SolvedExperiment of_relaxing = solved_in_time(relaxing), of_slow = solved_in_time(slow);
   const double approach = of_relaxing.at("normal_displacement [m]", 7);
   EXPECT_GT(approach, 1.02 * of_relaxing.at("normal_displacement [m]", 3));
@@ -170,6 +178,46 @@ TEST(Relaxation_analytic, a_held_load_ends_on_the_relaxed_modulus_and_balances_e
                    .within(approach, of_slow.at("normal_displacement [m]", 7), 2e-3)));
   EXPECT_TRUE((Verified{"Experiment", "relaxing sphere under a held load: energy left open", "balance"}.below(
       100 * of_relaxing.result["balance"]["energy"].get<double>(), 1, "%")));
+}
+
+/// Stuck and moved aside after it has relaxed, it gives way in the end as elastic bodies of the modulus that
+/// is left, far from the contact too.
+TEST(Relaxation_analytic, a_held_shift_ends_on_the_relaxed_shear_modulus) {
+  CaseInput relaxing = pressed_polymer(relaxing_share, 0.1);  // whose pressure and shear hardly couple
+  relaxing.interface.parameters["Friction coefficient"] = 5;
+  relaxing.experiment.type = Motion::program;
+  relaxing.experiment.normal_load = 10e-6;
+  relaxing.experiment.load_steps = 3;
+  relaxing.experiment.hold_steps = 2, relaxing.experiment.hold_time = 20;
+  relaxing.experiment.program = "slide 1 nm and hold 1 s in 2 steps; hold 20 s in 3 steps";
+  CaseInput slow = relaxing;
+  slow.particle = relaxed_polymer(relaxing.particle);
+  const SolvedExperiment of_relaxing = solved_in_time(relaxing), of_slow = solved_in_time(slow);
+  const std::size_t last = of_slow.history.rows.size() - 1;
+  const auto stiffness = [last](const SolvedExperiment& solved) {
+    return solved.at("lateral_force [N]", last) / solved.at("lateral_displacement [m]", last);
+  };
+  EXPECT_GT(of_relaxing.at("lateral_force [N]", last - 3) / of_relaxing.at("lateral_force [N]", last), 1.02);
+  EXPECT_TRUE(
+      (Verified{"Sliding", "relaxing sphere, a stuck shift that is held: lateral stiffness in the end",
+                "elastic bodies of the relaxed modulus"}
+           .within(stiffness(of_relaxing), stiffness(of_slow), 2e-3)));
+}
+
+TEST(Relaxation_analytic, the_mesh_holds_the_relaxed_contact_and_does_not_travel) {
+  CaseInput c = pressed_polymer(0.9, 1);
+  c.experiment.normal_load = 10e-6;
+  CaseInput slow = c;
+  slow.particle = relaxed_polymer(c.particle);
+  EXPECT_NEAR(fem::set_up_sizes(c).largest_radius / fem::set_up_sizes(slow).hertz_radius, 1, 1e-9);
+  c.experiment.type = slow.experiment.type = Motion::rolling;
+  c.experiment.distance = slow.experiment.distance = 4e-6;
+  const auto travels = [](const CaseInput& input) {
+    const fem::CaseSetup setup = fem::set_up_sizes(input);
+    return fem::FinePath(input, setup, fem::make_program(input.experiment, setup.motion)).travels();
+  };
+  EXPECT_TRUE(travels(slow));
+  EXPECT_FALSE(travels(c));
 }
 
 /// Rough, both bodies relaxing, pressed, held and drawn back: resumed in the hold, and by the other solver.

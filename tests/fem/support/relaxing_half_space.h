@@ -33,7 +33,7 @@ class RelaxingHalfSpace {
   /// `speed` in contact radii per second.
   double steady_moment(double speed) {
     constexpr double from = -1.3, steady_from = -0.1, step = 0.05;  // contact radii
-    const double lag = time_ * part_ * (1 - part_ / (1 + part_)), soon = 1e-3 * time_, late = 1e3 * time_;
+    const double lag = time_ * part_ / (1 + part_), soon = 1e-3 * time_, late = 1e3 * time_;
     moment_at(from, soon);
     moment_at(from, late);
     double sum = 0;
