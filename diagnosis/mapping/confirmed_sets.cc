@@ -18,7 +18,7 @@ namespace {
 
 using Effects = std::vector<const Effect*>;
 
-/// Most solutions for one set (a second one always checks the first, but of motions, which take minutes);
+/// Most solutions for one set (a second one always checks the first, except of motions, which take minutes);
 /// root mean square distance to what was expected, in units of noise and mesh.
 constexpr int most_solves = 4, steps_of_refit = 6;
 constexpr double near_enough = 0.2, too_far = 1;

@@ -264,6 +264,21 @@ TEST(SolvedCaseNightly_behaviour, more_turning_points_than_are_solved_leave_yiel
   EXPECT_TRUE(says(d, "the recording turns back from 7 loads")) << d.in_words;
 }
 
+/// What no case takes would stay open, whatever else explains the recording.
+TEST(SolvedCase_behaviour, a_film_is_no_thicker_than_a_case_takes) {
+  Experiment e = test::experiment(Motion::normal);
+  e.radius = radius, e.largest_displacement = 200 * nm;  // of a contact wide enough for more
+  const auto thickest = [&] {
+    for (const auto& p : effect_of("film").parameters(e))
+      if (p.name == "thickness") return p.high;
+    return 0.0;
+  };
+  EXPECT_GT(thickest(), 0.5 * radius);
+  e.by_finite_elements = true;
+  EXPECT_LT(thickest(), 0.5 * radius);
+  EXPECT_GT(thickest(), 0.4 * radius);
+}
+
 TEST(SolvedCase_behaviour, yielding_at_another_stress_than_the_case_says) {
   constexpr double yield = 0.9e9;
   for (const double of_case : {0.6e9, 1.4e9}) {

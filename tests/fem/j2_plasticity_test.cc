@@ -7,72 +7,16 @@
 
 #include "core/csv.h"
 #include "fem/materials/hardening/linear_and_voce.h"
-#include "fem/materials/hardening/rate_dependent.h"
+#include "tests/fem/support/material_point.h"
 #include "tests/support/shared_files.h"
 #include "tests/support/verification.h"
 
 namespace {
 
 using namespace asperity::fem;
+using namespace asperity::test::material_point;
 using asperity::test::Largest;
 using asperity::test::Verified;
-using V = Simd<double>;
-using Strain = SymmetricTensor<double>;
-
-constexpr double E = 71e9, nu = 0.17, Y = 3e9;
-
-J2Material material() {
-  J2Material m = J2Material::elastic(E, nu);
-  m.yield_stress = Y;
-  return m;
-}
-
-double contract(const Strain& a, const Strain& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
-}
-double norm(const Strain& a) { return std::sqrt(contract(a, a)); }
-
-/// One material point; lane 0 of the vector law.
-struct Point {
-  explicit Point(const J2Material& m) : law(m) {}
-  J2Material law;
-  PlasticState<V> state{};
-  SymmetricTensor<V> stress{};
-  J2Tangent<V> tangent{};
-  StepTime time{};
-
-  bool strain_to(const Strain& deviator) {
-    const J2Material* lane[lanes];
-    SymmetricTensor<V> e;
-    V shear;
-    for (int l = 0; l < lanes; ++l) {
-      lane[l] = &law;
-      shear[l] = law.shear_modulus;
-      for (int c = 0; c < 6; ++c) e[c][l] = deviator[c];
-    }
-    return return_map(lane, shear, e, state, stress, tangent, time);
-  }
-  /// Uniaxial stress: the deviator is axial strain times (1, -1/2, -1/2).
-  bool stretch_to(double deviatoric_strain) {
-    return strain_to({deviatoric_strain, -0.5 * deviatoric_strain, -0.5 * deviatoric_strain, 0, 0, 0});
-  }
-  double uniaxial_stress() const { return 1.5 * stress[0][0]; }
-  double alpha() const { return state.alpha[0]; }
-  Strain s() const {
-    Strain r;
-    for (int c = 0; c < 6; ++c) r[c] = stress[c][0];
-    return r;
-  }
-};
-
-/// Deviatoric part of the axial strain that belongs to a uniaxial stress and plastic strain.
-double axial_deviator(const J2Material& m, double stress, double plastic) {
-  return stress / (3 * m.shear_modulus) + plastic;
-}
-
-Verified at_a_point(const std::string& quantity, const std::string& source) {
-  return {"Material law", quantity, source};
-}
 
 TEST(J2_analytic, below_yield_stress_is_elastic) {
   Point p(material());
@@ -176,114 +120,6 @@ TEST(J2_analytic, isotropic_hardening_yields_in_reverse_at_minus_the_largest_str
   const double error = (reverse_yield(m, 0.05) + Y + modulus * 0.05) / Y;
   EXPECT_TRUE(
       at_a_point("isotropic hardening: stress of reverse yield", "-sigma_max").below(error, 1e-9, "Y"));
-}
-
-/// Yields at a stress that grows with the rate (Bingham 1922).
-struct Viscous : Hardening {
-  static constexpr double viscosity = 5e9;
-  FlowStress flow(const YieldingPoint& point) const override {
-    return {point.initial + viscosity * point.increment / point.time.step, viscosity / point.time.step};
-  }
-  double stored_energy(double) const override { return 0; }
-  bool is_linear() const override { return true; }
-};
-
-TEST(J2_analytic, a_viscous_yield_stress_follows_the_rate_of_each_step) {
-  J2Material m = material();
-  m.hardening = std::make_shared<Viscous>();
-  Largest stress;
-  double strain = 0, plastic = 0;
-  Point p(m);
-  for (const double step : {0.1, 1.0, 10.0}) {
-    p.time = {0, step};
-    strain += 0.1;
-    p.stretch_to(strain);
-    // 3 G (e - plastic) = Y + viscosity (plastic - before) / step.
-    const double stiff = 3 * m.shear_modulus, viscous = Viscous::viscosity / step;
-    plastic = (stiff * strain - Y + viscous * plastic) / (stiff + viscous);
-    stress.count((p.uniaxial_stress() - stiff * (strain - plastic)) / Y);
-  }
-  EXPECT_TRUE(at_a_point("viscous yield stress: stress after steps of 0.1 to 10", "Bingham (1922)")
-                  .below(stress, 1e-12, "Y"));
-}
-
-/// Under a held strain d sigma/dt = -3 G d alpha/dt: with s = (sigma/Y - 1)/C, 1 - exp(-s) falls as exp(-k
-/// t), k = 3 G/(Y C t0), and before that with the logarithm of time.
-TEST(J2_analytic, a_yield_stress_that_follows_the_rate_relaxes_with_the_logarithm_of_time) {
-  J2Material m = material();
-  const double sensitivity = 0.05, time = 100;
-  m.hardening = std::make_shared<RateDependent>(0, sensitivity, time);
-  Point p(m);
-  const double elastic = 3 * m.shear_modulus, strain = 1.3 * Y / elastic,
-               k = elastic / (Y * sensitivity * time);
-  p.time = {0, 1e-9};  // at once, nearly
-  p.stretch_to(strain);
-  const double first = (p.uniaxial_stress() / Y - 1) / sensitivity;
-  Largest error;
-  double now = 0;
-  for (double step = 1e-6; now < 30 / k; step *= 1.02) {
-    p.time = {0, step};
-    p.stretch_to(strain);
-    now += step;
-    const double expected = -std::log1p(std::expm1(-first) * std::exp(-k * now));
-    error.count((p.uniaxial_stress() - Y * (1 + sensitivity * expected)) / Y);
-  }
-  EXPECT_GT(first, 3);  // of the logarithm's range
-  EXPECT_TRUE(at_a_point("yield stress that follows the rate: relaxation of a held strain",
-                         "closed form, Johnson & Cook (1983), Camacho & Ortiz (1997)")
-                  .below(error, 1e-3, "Y"));
-}
-
-/// With m = 1/2 and y = m (sigma/Y - 1)/C the rate is ((1 + y)^2 - 1)/t0, so that y' = -k (2 y + y^2).
-TEST(J2_analytic, a_power_of_the_rate_relaxes_a_held_strain_as_its_closed_form) {
-  constexpr double sensitivity = 0.02, time = 5, exponent = 0.5;
-  J2Material m = material();
-  m.hardening = std::make_shared<RateDependent>(0, sensitivity, time, exponent);
-  Point p(m);
-  const double elastic = 3 * m.shear_modulus, strain = 1.3 * Y / elastic,
-               k = exponent * elastic / (sensitivity * Y * time);
-  const auto over_stress = [&] { return exponent * (p.uniaxial_stress() / Y - 1) / sensitivity; };
-  p.time = {0, 1e-9};  // at once, nearly
-  p.stretch_to(strain);
-  const double first = over_stress();
-  Largest error;
-  double now = 0;
-  for (double step = 1e-6; now < 3 / k; step *= 1.02) {
-    p.time = {0, step};
-    p.stretch_to(strain);
-    now += step;
-    const double left = first / (first + 2) * std::exp(-2 * k * now);
-    error.count((over_stress() - 2 * left / (1 - left)) / first);
-  }
-  EXPECT_GT(first, 3);  // where the power rules
-  EXPECT_TRUE(
-      at_a_point("yield stress that follows a power of the rate: relaxation of a held strain", "closed form")
-          .below(error, 1e-2, "of the overstress"));
-}
-
-TEST(J2_analytic, a_small_power_of_the_rate_is_the_logarithm) {
-  for (const double alpha : {1e-4, 0.1}) {
-    const YieldingPoint point{Y, alpha, alpha / 2, {0, 0.3}};
-    const FlowStress power = RateDependent(1e9, 0.03, 1e4, 1e-7).flow(point),
-                     logarithm = RateDependent(1e9, 0.03, 1e4).flow(point);
-    EXPECT_NEAR(power.stress / logarithm.stress, 1, 1e-6);
-    EXPECT_NEAR(power.slope / logarithm.slope, 1, 1e-5);
-  }
-}
-
-TEST(J2_analytic, under_a_steady_rate_the_yield_stress_is_that_of_the_rate) {
-  J2Material m = material();
-  m.hardening = std::make_shared<RateDependent>(2e9, 0.03, 10);
-  Point p(m);
-  double strain = 0, before = 0;
-  for (int i = 0; i < 60; ++i) {
-    p.time = {0, 0.5};
-    before = p.alpha();
-    strain += 0.01;
-    p.stretch_to(strain);
-  }
-  const double rate = (p.alpha() - before) / 0.5;
-  EXPECT_NEAR(p.uniaxial_stress() / ((Y + 2e9 * p.alpha()) * (1 + 0.03 * std::log(1 + 10 * rate))), 1, 1e-10);
 }
 
 /// Softens by as much as the elastic stress falls with the strain: beyond yield no stress is on the surface.

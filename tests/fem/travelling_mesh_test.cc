@@ -6,6 +6,7 @@
 
 #include "fem/case/fine_path.h"
 #include "fem/contact/carried_state.h"
+#include "fem/contact/contact_solver.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/fem/support/sphere_on_silicon.h"
 #include "tests/support/temporary_folder.h"
