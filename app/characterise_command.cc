@@ -158,7 +158,7 @@ void write_answer(const CharacteriseArguments& arguments, const Prepared& work, 
   // Each end of a bracket is a table of its own, which says for which coefficient it holds.
   const bool friction_is_said = work.request.friction_is_known || found.sets.size() > 1;
   for (const auto& set : found.sets) {
-    Derivation derivation = derive_parameters(set);
+    Derivation derivation = derive_parameters(reduced_set(set));
     name_materials(derivation.parameters, work.request);
     const std::string friction = set.inputs.at("Interface/Friction coefficient");
     const std::string suffix = found.sets.size() > 1 ? "_friction_" + friction : "";

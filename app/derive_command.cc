@@ -42,7 +42,7 @@ void run_derive(const DeriveArguments& arguments) {
     text += std::to_string(found.sets.size()) + " parameter sets, one file each; they differ in " +
             differences(found.sets) + "\n";
   std::vector<Derivation> derivations;
-  for (const auto& set : found.sets) derivations.push_back(derive_parameters(set));
+  for (const auto& set : found.sets) derivations.push_back(derive_parameters(reduced_set(set)));
   const std::vector<LawFindings> over_radii = compare_radii(found.sets, derivations);
   for (std::size_t i = 0; i < derivations.size(); ++i) {
     report::write_words(derivations[i]);

@@ -10,10 +10,7 @@
 #include "dem_compare/cases/compared_contact.h"
 #include "dem_compare/derive/motion_derivation.h"
 #include "dem_compare/derive/normal_derivation.h"
-#include "dem_compare/derive/reduced_case.h"
 #include "dem_compare/laws/hertzian_torsion.h"
-#include "results/energy_balance.h"
-#include "results/region_edge.h"
 
 namespace asperity {
 namespace {
@@ -60,8 +57,7 @@ void write_record(const ReducedCases& cases, Derivation& derivation) {
   for (const auto& [entry, value] : derivation.inputs) record["inputs"][entry] = value;
   record["cases"] = cases_json(cases);
   for (const ReducedCase& one : cases)
-    for (const std::string& doubt : {open_energy_words(*one.solved), region_edge_words(*one.solved)})
-      if (!doubt.empty()) record["in_doubt"].push_back(one.folder() + ": " + doubt);
+    for (const std::string& doubt : one.doubts) record["in_doubt"].push_back(one.folder() + ": " + doubt);
   for (const LawFindings& law : derivation.laws) record[name_of(law.motion())] = law.details;
 }
 
@@ -90,8 +86,8 @@ void compare_torsion_with_sliding(const ContactParameters& parameters, LawFindin
 
 }  // namespace
 
-Derivation derive_parameters(const ParameterSet& set) {
-  const SolvedCase& first = set.cases.front();
+Derivation derive_parameters(const ReducedSet& set) {
+  const SolvedCase& first = *set.cases.front().solved;
   Derivation derivation;
   derivation.inputs = set.inputs;
   derivation.cases = set.cases.size();
@@ -100,14 +96,13 @@ Derivation derive_parameters(const ParameterSet& set) {
   parameters.target = body_of(first.substrate(), std::numeric_limits<double>::infinity());
   parameters.particle.rms = first.entries.topography("Particle").rms();
   parameters.target.rms = first.entries.topography("Substrate").rms();
-  const ReducedCases cases = reduced_cases(set);
-  derive_normal(cases, derivation);
-  derive_motion(cases, sliding_mode(), derivation);
+  derive_normal(set, derivation);
+  derive_motion(set, sliding_mode(), derivation);
   complete_shear_modulus(first, derivation);
-  derive_motion(cases, torsion_mode(), derivation);
+  derive_motion(set, torsion_mode(), derivation);
   compare_torsion_with_sliding(parameters, derivation.laws.back());
-  derive_motion(cases, rolling_mode(), derivation);
-  write_record(cases, derivation);
+  derive_motion(set, rolling_mode(), derivation);
+  write_record(set.cases, derivation);
   return derivation;
 }
 

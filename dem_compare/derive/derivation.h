@@ -8,6 +8,7 @@
 #include "core/motion.h"
 #include "dem_compare/cases/parameter_sets.h"
 #include "dem_compare/derive/law_findings.h"
+#include "dem_compare/derive/reduced_case.h"
 #include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
@@ -28,7 +29,7 @@ struct Derivation {
 };
 
 /// From all cases of one set.
-Derivation derive_parameters(const ParameterSet& set);
+Derivation derive_parameters(const ReducedSet& set);
 
 /// Torsion and rolling of sets that differ by the particle's radius alone, their contacts taken for one law
 /// with the same mu and h: radius and load part lambda = r from lambda = a better than loads do. Adds the

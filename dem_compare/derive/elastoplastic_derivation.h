@@ -3,7 +3,6 @@
 #pragma once
 
 #include "dem_compare/derive/derivation.h"
-#include "dem_compare/derive/reduced_case.h"
 
 namespace asperity {
 

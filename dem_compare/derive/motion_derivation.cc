@@ -30,20 +30,20 @@ void find_test_of_law(const ResistanceLaw& law, LawFindings& findings) {
 }
 
 /// Stiffness of a contact that was only pressed: `solve` probes it in each direction at the largest load.
-std::vector<CaseNumber> probed_when_pressed(const ReducedCases& cases, const MotionMode& mode) {
+std::vector<CaseNumber> probed_when_pressed(const ReducedSet& set, const MotionMode& mode) {
   std::vector<CaseNumber> probed;
-  for (const auto& reduced : cases) {
+  for (const auto& reduced : set.cases) {
     const CaseNumber number = reduced.effective(mode.stiffness_key);
     if (reduced.is_pressed() && number.value > 0) probed.push_back(number);
   }
-  for (const auto& number : by_half_spaces(cases, mode.stiffness_key)) probed.push_back(number);
+  for (const auto& number : set.by_half_spaces.at(mode.stiffness_key)) probed.push_back(number);
   return probed;
 }
 
-void derive_stiffness(const ReducedCases& cases, const MovedCases& seen, Derivation& derivation,
+void derive_stiffness(const ReducedSet& set, const MovedCases& seen, Derivation& derivation,
                       LawFindings& findings) {
   const MotionMode& mode = *findings.mode;
-  std::vector<CaseNumber> probed = probed_when_pressed(cases, mode), reversed;
+  std::vector<CaseNumber> probed = probed_when_pressed(set, mode), reversed;
   bool has_energies = false;
   for (const ReducedCase* item : seen) {
     has_energies = has_energies || item->moving->has_energies();
@@ -233,11 +233,11 @@ void derive_resistance(const MovedCases& seen, Derivation& derivation, LawFindin
 
 }  // namespace
 
-void derive_motion(const ReducedCases& cases, const MotionMode& mode, Derivation& derivation) {
+void derive_motion(const ReducedSet& set, const MotionMode& mode, Derivation& derivation) {
   LawFindings findings;
   findings.mode = &mode;
   MovedCases seen;
-  for (const auto& reduced : cases)
+  for (const auto& reduced : set.cases)
     if (reduced.motion == mode.motion) seen.push_back(&reduced);
   std::stable_sort(seen.begin(), seen.end(), [](const ReducedCase* a, const ReducedCase* b) {
     return a->moving->load < b->moving->load;
@@ -246,7 +246,7 @@ void derive_motion(const ReducedCases& cases, const MotionMode& mode, Derivation
     findings.open.push_back({About::experiment, Derived::resistance, &mode});
   } else {
     derive_resistance(seen, derivation, findings);
-    derive_stiffness(cases, seen, derivation, findings);
+    derive_stiffness(set, seen, derivation, findings);
   }
   derivation.laws.push_back(std::move(findings));
 }

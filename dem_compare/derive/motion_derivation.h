@@ -5,12 +5,11 @@
 #pragma once
 
 #include "dem_compare/derive/derivation.h"
-#include "dem_compare/derive/reduced_case.h"
 
 namespace asperity {
 
 /// Sets the quantities of the mode (for sliding, reduced_shear_modulus too) and adds what was found; the
 /// normal law must be there already.
-void derive_motion(const ReducedCases& cases, const MotionMode& mode, Derivation& derivation);
+void derive_motion(const ReducedSet& set, const MotionMode& mode, Derivation& derivation);
 
 }  // namespace asperity

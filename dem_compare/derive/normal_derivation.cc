@@ -90,11 +90,11 @@ void derive_modulus(const ReducedCases& cases, Derivation& derivation, LawFindin
   find_scatter_and_mesh(all, Derived::modulus, findings);
 }
 
-void derive_normal_stiffness(const ReducedCases& cases, Derivation& derivation, LawFindings& findings) {
+void derive_normal_stiffness(const ReducedSet& set, Derivation& derivation, LawFindings& findings) {
   std::vector<CaseNumber> all;
-  for (const auto& reduced : cases)
+  for (const auto& reduced : set.cases)
     if (reduced.normal_stiffness) all.push_back(*reduced.normal_stiffness);
-  for (const auto& number : by_half_spaces(cases, "normal_stiffness")) all.push_back(number);
+  for (const auto& number : set.by_half_spaces.at(normal_stiffness_key)) all.push_back(number);
   if (all.empty()) return findings.open.push_back({About::normal_stiffness});
   P& parameters = derivation.parameters;
   const std::vector<CaseNumber> used = counted_of(all);
@@ -134,11 +134,11 @@ void find_relaxation(const ReducedCases& cases, LawFindings& findings) {
   if (fact.relaxed > 0) findings.found.push_back(fact);
 }
 
-void derive_pull_off(const ReducedCases& cases, Derivation& derivation, LawFindings& findings) {
+void derive_pull_off(const ReducedSet& set, Derivation& derivation, LawFindings& findings) {
   std::vector<double> pulls;
   bool adhesive = false;
   LoadRange loads{std::numeric_limits<double>::infinity(), 0};
-  for (const auto& reduced : cases) {
+  for (const auto& reduced : set.cases) {
     adhesive = adhesive || reduced.is_adhesive;
     const double pull = -reduced.smallest_force, largest = reduced.largest_force;
     // Solved to about 1e-6 of the load: smaller pulls are none.
@@ -150,12 +150,12 @@ void derive_pull_off(const ReducedCases& cases, Derivation& derivation, LawFindi
   // Of a surface that is drawn off from several loads the mean: half-spaces give it the same force each time.
   std::map<std::string, std::vector<double>> of_surface;
   double shared = 0;
-  for (const auto& number : by_half_spaces(cases, "pull_off_force")) {
+  for (const auto& number : set.by_half_spaces.at(pull_off_key)) {
     of_surface[number.realisation].push_back(number.value);
     shared = std::max(shared, number.shared_sd / number.value);
   }
   for (const auto& [surface, values] : of_surface) pulls.push_back(scatter_of(values).mean);
-  const double attraction = cases.front().solved->attraction_force();
+  const double attraction = set.cases.front().solved->attraction_force();
   if (pulls.empty() && attraction > 0) {
     derivation.parameters.pull_off_force.emplace().value = attraction;
     derivation.origin_of(&P::pull_off_force) = {{From::attraction}};
@@ -174,14 +174,14 @@ void derive_pull_off(const ReducedCases& cases, Derivation& derivation, LawFindi
 
 }  // namespace
 
-void derive_normal(const ReducedCases& cases, Derivation& derivation) {
+void derive_normal(const ReducedSet& set, Derivation& derivation) {
   LawFindings findings;
-  derive_modulus(cases, derivation, findings);
-  derive_normal_stiffness(cases, derivation, findings);
-  find_yielding(cases, derivation, findings);
-  find_relaxation(cases, findings);
-  derive_elastoplastic(cases, derivation, findings);
-  derive_pull_off(cases, derivation, findings);
+  derive_modulus(set.cases, derivation, findings);
+  derive_normal_stiffness(set, derivation, findings);
+  find_yielding(set.cases, derivation, findings);
+  find_relaxation(set.cases, findings);
+  derive_elastoplastic(set.cases, derivation, findings);
+  derive_pull_off(set, derivation, findings);
   derivation.laws.push_back(std::move(findings));
 }
 

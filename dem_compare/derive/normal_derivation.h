@@ -5,11 +5,10 @@
 #pragma once
 
 #include "dem_compare/derive/derivation.h"
-#include "dem_compare/derive/reduced_case.h"
 
 namespace asperity {
 
 /// Sets reduced_modulus, normal_stiffness and pull_off_force, and adds what was found.
-void derive_normal(const ReducedCases& cases, Derivation& derivation);
+void derive_normal(const ReducedSet& set, Derivation& derivation);
 
 }  // namespace asperity

@@ -5,6 +5,8 @@
 
 #include "core/error.h"
 #include "dem_compare/cases/normal_numbers.h"
+#include "results/energy_balance.h"
+#include "results/region_edge.h"
 
 namespace asperity {
 namespace {
@@ -68,9 +70,8 @@ std::optional<NormalFit> fit_of(const ReducedCase& reduced, const NormalNumbers&
 }
 
 std::optional<CaseNumber> stiffness_of(const ReducedCase& reduced, const NormalNumbers& numbers) {
-  constexpr const char* name = "normal_stiffness";
-  CaseNumber number = reduced.effective(name);
-  if (!reduced.solved->finished() || !reduced.solved->result->has(name))
+  CaseNumber number = reduced.effective(normal_stiffness_key);
+  if (!reduced.solved->finished() || !reduced.solved->result->has(normal_stiffness_key))
     number = reduced.number(numbers.unloading_stiffness(),
                             numbers.unloading.empty() ? unknown : numbers.unloading.front().error);
   return number.value > 0 ? std::optional(number) : std::nullopt;
@@ -134,7 +135,19 @@ ReducedCase reduced(const SolvedCase& solved) {
   reduced.normal_stiffness = stiffness_of(reduced, numbers);
   reduce_yielding(solved.history, reduced);
   if (const MotionMode* mode = mode_of(solved)) reduced.moving = moving_case(solved, *mode);
+  for (const std::string& doubt : {open_energy_words(solved), region_edge_words(solved)})
+    if (!doubt.empty()) reduced.doubts.push_back(doubt);
   return reduced;
+}
+
+std::vector<CaseNumber> pressed_by_half_spaces(const ReducedCases& cases, const char* name) {
+  std::vector<SolvedNumber> numbers;
+  for (const ReducedCase& reduced : cases) {
+    const CaseNumber number = reduced.effective(name);
+    if (reduced.is_pressed() && number.value > 0)
+      numbers.push_back({reduced.solved, number.load, number.value, number.sd});
+  }
+  return by_half_spaces(numbers, name);
 }
 
 }  // namespace
@@ -144,20 +157,13 @@ CaseNumber ReducedCase::effective(const char* name) const {
   return number(stated.value, stated.sd);
 }
 
-ReducedCases reduced_cases(const ParameterSet& set) {
-  ReducedCases cases;
-  for (const SolvedCase& solved : set.cases) cases.push_back(reduced(solved));
-  return cases;
-}
-
-std::vector<CaseNumber> by_half_spaces(const ReducedCases& cases, const char* name) {
-  std::vector<SolvedNumber> numbers;
-  for (const ReducedCase& reduced : cases) {
-    const CaseNumber number = reduced.effective(name);
-    if (reduced.is_pressed() && number.value > 0)
-      numbers.push_back({reduced.solved, number.load, number.value, number.sd});
-  }
-  return by_half_spaces(numbers, name);
+ReducedSet reduced_set(const ParameterSet& set) {
+  ReducedSet all{set.inputs, {}, {}};
+  for (const SolvedCase& solved : set.cases) all.cases.push_back(reduced(solved));
+  for (const char* name : {normal_stiffness_key, pull_off_key, sliding_mode().stiffness_key,
+                           torsion_mode().stiffness_key, rolling_mode().stiffness_key})
+    all.by_half_spaces[name] = pressed_by_half_spaces(all.cases, name);
+  return all;
 }
 
 }  // namespace asperity

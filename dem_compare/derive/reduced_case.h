@@ -1,7 +1,8 @@
-// What one solved case tells a derivation: its history reduced to numbers, once. Every law is derived from
-// these numbers; no derivation reads a history.
+// What a parameter set tells a derivation: the history of each solved case reduced to numbers, once. Every
+// law is derived from these numbers; no derivation reads a history or a file.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
+
+/// Names in `effective` of result.json, as stiffness_key of MotionMode.
+inline constexpr const char *normal_stiffness_key = "normal_stiffness", *pull_off_key = "pull_off_force";
 
 /// Hertz fits of a case's first loading.
 struct NormalFit {
@@ -48,6 +52,7 @@ struct ReducedCase {
   std::optional<CaseNumber> normal_stiffness;
   std::optional<LoadUnload> yielded;  ///< first loading and unloading of a pressed case that yielded
   std::optional<MovingCase> moving;   ///< of a case that slid, rolled or spun
+  std::vector<std::string> doubts;    ///< why its numbers may be off, in words
 
   std::string folder() const { return solved->folder.string(); }
   bool yields() const { return plastic_volume > 0; }
@@ -61,11 +66,16 @@ struct ReducedCase {
   CaseNumber effective(const char* name) const;
 };
 
-/// Of one parameter set.
 using ReducedCases = std::vector<ReducedCase>;
-ReducedCases reduced_cases(const ParameterSet& set);
 
-/// Of a number of `effective` of the pressed cases: the surfaces that half-spaces alone have solved.
-std::vector<CaseNumber> by_half_spaces(const ReducedCases& cases, const char* name);
+/// A parameter set, reduced.
+struct ReducedSet {
+  ContactInputs inputs;  ///< what all cases agree in
+  ReducedCases cases;    ///< they point to those of the parameter set
+  /// By their name in `effective`: numbers of surfaces that half-spaces alone have pressed.
+  std::map<std::string, std::vector<CaseNumber>> by_half_spaces;
+};
+/// `set` must outlive the result. Throws InputError for a previews.json beside a case that cannot be read.
+ReducedSet reduced_set(const ParameterSet& set);
 
 }  // namespace asperity

@@ -19,7 +19,8 @@ Characterisation table_of(const std::vector<std::filesystem::path>& folders, dou
                           bool friction_is_known = true) {
   const ParameterSets found = collect_parameter_sets(folders);
   EXPECT_EQ(found.sets.size(), 1U);
-  return characterised(found.sets[0], derive_parameters(found.sets[0]), modulus_spread, friction_is_known);
+  return characterised(found.sets[0], derive_parameters(reduced_set(found.sets[0])), modulus_spread,
+                       friction_is_known);
 }
 
 const CharacterisedNumber& number_of_key(const Characterisation& table, const std::string& key) {

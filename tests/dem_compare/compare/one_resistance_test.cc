@@ -34,7 +34,8 @@ TEST(OneResistance_analytic, is_what_the_first_way_dissipates_for_derive_compare
     ASSERT_EQ(study.contacts.size(), 1u) << type;
     EXPECT_NEAR(study.contacts[0].states[0].resistance.value / truth, 1, 1e-6) << type;
 
-    const Derivation derivation = derive_parameters(collect_parameter_sets({folder}).sets.front());
+    const Derivation derivation =
+        derive_parameters(reduced_set(collect_parameter_sets({folder}).sets.front()));
     bool found = false;
     for (const auto& law : derivation.laws)
       for (const auto& point : law.points) {
@@ -57,7 +58,8 @@ TEST(OneResistance_analytic, is_what_the_first_way_dissipates_for_derive_compare
 TEST(OneResistance_behaviour, rolling_stiffness_is_as_doubtful_to_compare_as_to_derive) {
   const test::TemporaryFolder root;
   const auto folder = test::write_moving(root.path / "case", yielding("rolling"));
-  const auto derived = derive_parameters(collect_parameter_sets({folder}).sets.front()).parameters;
+  const auto derived =
+      derive_parameters(reduced_set(collect_parameter_sets({folder}).sets.front())).parameters;
   ASSERT_TRUE(derived.rolling_stiffness && derived.rolling_stiffness->sd > 0);
   const CaseCollection collection = collect_cases({folder});
   bool found = false;

@@ -33,7 +33,7 @@ fs::path write_adhesive(const fs::path& folder, double resistance, int seed, con
 std::vector<std::string> derived(const std::vector<fs::path>& folders) {
   std::vector<std::string> all;
   for (const auto& set : collect_parameter_sets(folders).sets)
-    all.push_back(to_json(derive_parameters(set).parameters).dump());
+    all.push_back(to_json(derive_parameters(reduced_set(set)).parameters).dump());
   return all;
 }
 

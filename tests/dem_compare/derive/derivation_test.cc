@@ -47,7 +47,7 @@ TEST(Derivation_analytic, gives_back_the_laws_that_histories_were_made_from) {
   std::mt19937 random(1);
   Truth exact;
   exact.noise = 0;
-  const ContactParameters p = derive_parameters(make_set(exact, wide, 1, random)).parameters;
+  const ContactParameters p = derive_parameters(reduced_set(make_set(exact, wide, 1, random))).parameters;
   EXPECT_NEAR(p.reduced_modulus->value / hertz.reduced_modulus, 1, 1e-6);
   EXPECT_NEAR(p.sliding_friction->value, exact.mu, 1e-6);
   EXPECT_NEAR(p.sliding_offset->value / exact.offset, 1, 1e-3);
@@ -67,7 +67,7 @@ TEST(Derivation_analytic, states_uncertainties_that_cover_the_truth_two_times_in
   Truth truth;
   truth.noise = 0.06;  // a mean then is worse known than to the thousandth that any case is good for
   for (int i = 0; i < repetitions; ++i) {
-    const ContactParameters p = derive_parameters(make_set(truth, wide, 2, random)).parameters;
+    const ContactParameters p = derive_parameters(reduced_set(make_set(truth, wide, 2, random))).parameters;
     mu += std::abs(p.sliding_friction->value - truth.mu) < p.sliding_friction->sd;
     offset += std::abs(p.sliding_offset->value - truth.offset) < p.sliding_offset->sd;
     torsion += std::abs(p.torsion_friction->value - truth.torsion_coefficient) < p.torsion_friction->sd;
@@ -94,7 +94,7 @@ TEST(Derivation_analytic, finds_the_length_of_torsion_from_noisy_histories) {
     Truth truth;
     truth.torsion_with_contact = i % 2 == 0;
     if (!truth.torsion_with_contact) truth.torsion_coefficient = 0.0056;
-    const ContactParameters p = derive_parameters(make_set(truth, wide, 2, random)).parameters;
+    const ContactParameters p = derive_parameters(reduced_set(make_set(truth, wide, 2, random))).parameters;
     const double log_odds = p.derivation["torsion"]["length"]["log_odds_a_over_r"];
     EXPECT_EQ(p.torsion_friction->length_scale,
               truth.torsion_with_contact ? LengthScale::contact_radius : LengthScale::particle_radius);
@@ -120,7 +120,7 @@ TEST(Derivation_analytic, lets_a_second_radius_tell_the_length_that_its_loads_ca
       for (int seed = 1; seed <= 2; ++seed)
         sets[i].cases.push_back(make_case(truth, "torsion", load, seed, random, sphere));
     sets[i].inputs = {{"Particle/Radius", std::to_string(sphere.radius)}};
-    derivations.push_back(derive_parameters(sets[i]));
+    derivations.push_back(derive_parameters(reduced_set(sets[i])));
     EXPECT_EQ(derivations[i].parameters.torsion_friction->length_scale, LengthScale::contact_radius);
   }
   ASSERT_EQ(compare_radii(sets, derivations).size(), 1u);
@@ -138,7 +138,7 @@ TEST(Derivation_behaviour, passes_over_cells_that_are_not_known) {
   exact.noise = 0;
   ParameterSet set = make_set(exact, wide, 1, random);
   set.cases.front().history.lateral_force[50] = std::nan("");
-  EXPECT_NEAR(derive_parameters(set).parameters.sliding_friction->value, exact.mu, 1e-6);
+  EXPECT_NEAR(derive_parameters(reduced_set(set)).parameters.sliding_friction->value, exact.mu, 1e-6);
 }
 
 TEST(Derivation_analytic, treats_rolling_as_torsion) {
@@ -147,7 +147,7 @@ TEST(Derivation_analytic, treats_rolling_as_torsion) {
   truth.noise = 0;
   ParameterSet set;
   for (const double load : wide) set.cases.push_back(make_case(truth, "rolling", load, 1, random));
-  const ContactParameters p = derive_parameters(set).parameters;
+  const ContactParameters p = derive_parameters(reduced_set(set)).parameters;
   EXPECT_EQ(p.rolling_friction->length_scale, LengthScale::contact_radius);
   EXPECT_NEAR(p.rolling_friction->value, truth.torsion_coefficient, 1e-5);
   EXPECT_NEAR(p.rolling_offset->value / truth.torsion_offset, 1, 1e-3);
@@ -167,7 +167,7 @@ TEST(Derivation_analytic, finds_pull_off_where_an_adhesive_contact_is_drawn_apar
     history.normal_force.back() = force;
     history.normal_displacement.back() = hertz.approach(std::max(force, 0.0));
   }
-  const ContactParameters p = derive_parameters(set).parameters;
+  const ContactParameters p = derive_parameters(reduced_set(set)).parameters;
   ASSERT_TRUE(p.pull_off_force);
   EXPECT_DOUBLE_EQ(p.pull_off_force->value, 3e-6);
 }
@@ -184,7 +184,7 @@ TEST(Derivation_analytic, counts_attraction_beyond_the_contact_as_load) {
   solved.entries = CaseEntries(entries);
   for (std::size_t i = 0; i < solved.history.size(); ++i)
     solved.history.normal_displacement[i] = hertz.approach(solved.history.normal_force[i] + attraction);
-  const Derivation derivation = derive_parameters(set);
+  const Derivation derivation = derive_parameters(reduced_set(set));
   EXPECT_NEAR(derivation.parameters.reduced_modulus->value / hertz.reduced_modulus, 1, 1e-6);
   EXPECT_NEAR(derivation.parameters.reduced_modulus->load_range->high, 1e-3, 1e-12);
   EXPECT_TRUE(test::origin(derivation, &ContactParameters::reduced_modulus, Origin::From::with_attraction));
@@ -209,10 +209,10 @@ TEST(Derivation_other_code, takes_adhesion_out_of_the_modulus_of_a_smooth_contac
     History& history = solved.history;
     for (std::size_t i = 0; i < history.size(); ++i)
       history.normal_displacement[i] = law.approach(history.normal_force[i]);
-    const double adhesive = derive_parameters(set).parameters.reduced_modulus->value;
+    const double adhesive = derive_parameters(reduced_set(set)).parameters.reduced_modulus->value;
     entries["Interface/Work of adhesion"] = "0 J/m^2";
     solved.entries = CaseEntries(entries);
-    const double load_alone = derive_parameters(set).parameters.reduced_modulus->value;
+    const double load_alone = derive_parameters(reduced_set(set)).parameters.reduced_modulus->value;
     EXPECT_NEAR(adhesive / hertz.reduced_modulus, 1, 0.03) << range;
     EXPECT_GT(std::abs(load_alone / hertz.reduced_modulus - 1), 0.12) << range;
   }
@@ -223,7 +223,7 @@ TEST(Derivation_analytic, writes_the_standard_deviations_of_its_fits) {
   std::mt19937 random(12);
   Truth truth;
   truth.noise = 0.05;
-  const Derivation derivation = derive_parameters(make_set(truth, wide, 2, random));
+  const Derivation derivation = derive_parameters(reduced_set(make_set(truth, wide, 2, random)));
   const ContactParameters& p = derivation.parameters;
   const ResistanceLaw sliding = fit_resistance(derivation.law_of(Motion::sliding).points, LengthScale::none);
   EXPECT_DOUBLE_EQ(p.sliding_friction->sd, std::sqrt(sliding.covariance(0, 0)));
@@ -246,7 +246,7 @@ TEST(Derivation_analytic, knows_the_modulus_of_two_realisations_to_half_their_di
     for (double& approach : set.cases.back().history.normal_displacement)
       approach *= std::pow(factors[i], -2.0 / 3);
   }
-  const EffectiveQuantity modulus = *derive_parameters(set).parameters.reduced_modulus;
+  const EffectiveQuantity modulus = *derive_parameters(reduced_set(set)).parameters.reduced_modulus;
   EXPECT_NEAR(modulus.value / hertz.reduced_modulus, 1, 1e-6);
   EXPECT_NEAR(modulus.sd / hertz.reduced_modulus, 0.1, 1e-5);
 }
@@ -254,7 +254,7 @@ TEST(Derivation_analytic, knows_the_modulus_of_two_realisations_to_half_their_di
 /// Of the mean of two realisations: half of both errors' root of squares.
 TEST(Derivation_analytic, tells_the_mean_of_realisations_with_its_own_error) {
   std::mt19937 random(15);
-  const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
+  const Derivation derivation = derive_parameters(reduced_set(make_set({}, {1e-3}, 2, random)));
   const auto& cases = derivation.parameters.derivation["sliding"]["resistance"];
   ASSERT_EQ(cases.size(), 2u);
   double mean = 0, squares = 0, fluctuation = 0;
@@ -280,7 +280,8 @@ TEST(Derivation_behaviour, says_that_a_way_is_shorter_than_two_diameters) {
   set.cases.push_back(make_case(exact, "sliding", 1e-3, 1, random));
   const History& history = set.cases.front().history;
   const auto asks = [&] {
-    return test::asked(derive_parameters(set).law_of(Motion::sliding), About::long_paths) != nullptr;
+    return test::asked(derive_parameters(reduced_set(set)).law_of(Motion::sliding), About::long_paths) !=
+           nullptr;
   };
   const double a = hertz.contact_radius(1e-3);
   double way = 0;  // of the steady parts there and back
@@ -303,7 +304,7 @@ TEST(Derivation_analytic, finds_the_shear_modulus_from_the_slope_after_the_rever
   SolvedCase& solved = set.cases.front();
   const double k = 8 * reduced_shear_modulus(glass, silicon) * hertz.contact_radius(1e-3);
   solved.result->effective = {{"lateral_stiffness", {k, 0.1 * k, "N/m"}}};
-  const ContactParameters p = derive_parameters(set).parameters;
+  const ContactParameters p = derive_parameters(reduced_set(set)).parameters;
   EXPECT_NEAR(p.lateral_stiffness->value / k, 1, 1e-9);
   EXPECT_NEAR(p.lateral_stiffness->sd / k, 0.1, 1e-9);
   EXPECT_NEAR(p.reduced_shear_modulus->value / reduced_shear_modulus(glass, silicon), 1, 1e-5);
@@ -318,8 +319,8 @@ TEST(Derivation_analytic, knows_a_modulus_as_well_as_its_fits) {
   for (auto& solved : two.cases)
     for (std::size_t i = 0; i < 8; ++i) solved.history.normal_displacement[i] *= i % 2 ? 1.01 : 0.99;
   one.cases = {two.cases[0]};
-  const EffectiveQuantity alone = *derive_parameters(one).parameters.reduced_modulus;
-  const EffectiveQuantity both = *derive_parameters(two).parameters.reduced_modulus;
+  const EffectiveQuantity alone = *derive_parameters(reduced_set(one)).parameters.reduced_modulus;
+  const EffectiveQuantity both = *derive_parameters(reduced_set(two)).parameters.reduced_modulus;
   EXPECT_GT(alone.sd / alone.value, 1e-3);
   EXPECT_LT(alone.sd / alone.value, 3e-2);
   EXPECT_NEAR(both.value / alone.value, 1, 1e-12);
@@ -339,7 +340,7 @@ TEST(Derivation_behaviour, takes_a_stiffness_from_a_probe_or_from_a_reversal_and
   const auto derived = [](const SolvedCase& solved) {
     ParameterSet set;
     set.cases = {solved};
-    return derive_parameters(set);
+    return derive_parameters(reduced_set(set));
   };
   EXPECT_NEAR(derived(probed).parameters.lateral_stiffness->value, 5e4, 1e-6);
   const auto source = [&](const SolvedCase& solved) {
@@ -360,19 +361,19 @@ TEST(Derivation_behaviour, passes_over_a_stiffness_that_is_no_number) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   auto& effective = set.cases.front().result->effective;
   effective = {{"normal_stiffness", {unknown, 5, "N/m"}}};
-  EXPECT_FALSE(derive_parameters(set).parameters.normal_stiffness);
+  EXPECT_FALSE(derive_parameters(reduced_set(set)).parameters.normal_stiffness);
   effective = {{"normal_stiffness", {3e4, unknown, "N/m"}}};
-  EXPECT_NEAR(derive_parameters(set).parameters.normal_stiffness->value, 3e4, 1e-6);
-  EXPECT_TRUE(std::isnan(derive_parameters(set).parameters.normal_stiffness->sd));
+  EXPECT_NEAR(derive_parameters(reduced_set(set)).parameters.normal_stiffness->value, 3e4, 1e-6);
+  EXPECT_TRUE(std::isnan(derive_parameters(reduced_set(set)).parameters.normal_stiffness->sd));
   effective = {{"normal_stiffness", {3e4, 300, "N/m"}}};
-  EXPECT_NEAR(derive_parameters(set).parameters.normal_stiffness->sd, 300, 1e-9);
+  EXPECT_NEAR(derive_parameters(reduced_set(set)).parameters.normal_stiffness->sd, 300, 1e-9);
 }
 
 TEST(Derivation_behaviour, says_which_local_friction_went_in) {
   std::mt19937 random(21);
   ParameterSet set = make_set({}, {1e-3}, 1, random);
   set.inputs = {{"Interface/Friction coefficient", "0.2"}, {"Particle/Radius", "8.5 um"}};
-  const auto* origin = test::origin(derive_parameters(set), &ContactParameters::sliding_friction,
+  const auto* origin = test::origin(derive_parameters(reduced_set(set)), &ContactParameters::sliding_friction,
                                     Origin::From::local_friction);
   ASSERT_TRUE(origin);
   EXPECT_EQ(origin->text, "0.2");
@@ -381,10 +382,10 @@ TEST(Derivation_behaviour, says_which_local_friction_went_in) {
 TEST(Derivation_behaviour, says_that_material_yielded) {
   std::mt19937 random(14);
   ParameterSet set = make_set({}, wide, 1, random);
-  EXPECT_FALSE(test::found<YieldFact>(derive_parameters(set).law_of(Motion::normal)));
+  EXPECT_FALSE(test::found<YieldFact>(derive_parameters(reduced_set(set)).law_of(Motion::normal)));
   auto& volume = set.cases.back().history.plastic_volume;
   for (std::size_t i = 5; i < volume.size(); ++i) volume[i] = 2e-20;
-  const Derivation derivation = derive_parameters(set);
+  const Derivation derivation = derive_parameters(reduced_set(set));
   const auto* fact = test::found<YieldFact>(derivation.law_of(Motion::normal));
   ASSERT_TRUE(fact);
   EXPECT_EQ(fact->yielded, 1u);
@@ -398,11 +399,11 @@ TEST(Derivation_behaviour, says_that_material_yielded) {
 TEST(Derivation_behaviour, says_that_bodies_relax) {
   std::mt19937 random(14);
   ParameterSet set = make_set({}, wide, 1, random);
-  EXPECT_FALSE(test::found<RelaxationFact>(derive_parameters(set).law_of(Motion::normal)));
+  EXPECT_FALSE(test::found<RelaxationFact>(derive_parameters(reduced_set(set)).law_of(Motion::normal)));
   auto entries = set.cases.back().entries.all();
   entries["Substrate/Relaxing share"] = "0.3";
   set.cases.back().entries = CaseEntries(entries);
-  const Derivation derivation = derive_parameters(set);
+  const Derivation derivation = derive_parameters(reduced_set(set));
   const auto* fact = test::found<RelaxationFact>(derivation.law_of(Motion::normal));
   ASSERT_TRUE(fact);
   EXPECT_EQ(fact->relaxed, 1u);
@@ -411,7 +412,7 @@ TEST(Derivation_behaviour, says_that_bodies_relax) {
 
 TEST(Derivation_behaviour, says_what_one_load_cannot_tell) {
   std::mt19937 random(3);
-  const Derivation derivation = derive_parameters(make_set({}, {1e-3}, 2, random));
+  const Derivation derivation = derive_parameters(reduced_set(make_set({}, {1e-3}, 2, random)));
   EXPECT_EQ(derivation.parameters.sliding_offset->value, 0);
   EXPECT_TRUE(std::isnan(derivation.parameters.sliding_offset->sd));
   EXPECT_TRUE(test::asked(derivation.law_of(Motion::sliding), About::offset));
@@ -423,7 +424,7 @@ TEST(Derivation_behaviour, says_what_one_load_cannot_tell) {
 TEST(Derivation_behaviour, is_read_back_as_it_was_written) {
   std::mt19937 random(4);
   const TemporaryFolder folder;
-  ContactParameters written = derive_parameters(make_set({}, wide, 1, random)).parameters;
+  ContactParameters written = derive_parameters(reduced_set(make_set({}, wide, 1, random))).parameters;
   written.sliding_friction->provenance = "of \"eight\" cases";
   write_contact_parameters(written, folder.path / "parameters.json");
   const ContactParameters read = read_contact_parameters(folder.path / "parameters.json");

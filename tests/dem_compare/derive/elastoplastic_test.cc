@@ -151,7 +151,7 @@ TEST(Elastoplastic_other_code, derive_fits_the_largest_load_and_says_how_good_it
   const TabulatedYielding truth(1e9);
   ParameterSet set;
   for (const std::size_t row : {2, 3}) set.cases.push_back(solved_case(truth, row));
-  const Derivation derivation = derive_parameters(set);
+  const Derivation derivation = derive_parameters(reduced_set(set));
   const P& p = derivation.parameters;
   ASSERT_TRUE(p.yield_pressure && p.unloading_modulus && p.luding_k1 && p.luding_kp && p.luding_delta_p);
   EXPECT_FALSE(p.luding_kc) << "nothing pulled";
@@ -178,7 +178,7 @@ TEST(Elastoplastic_behaviour, derive_asks_for_an_unloading_where_none_was_solved
   for (const auto& column : history_columns())
     if (column.always) (loaded.history.*column.values).resize(10);
   set.cases.push_back(loaded);
-  const Derivation derivation = derive_parameters(set);
+  const Derivation derivation = derive_parameters(reduced_set(set));
   EXPECT_FALSE(derivation.parameters.yield_pressure);
   EXPECT_TRUE(test::asked(derivation.law_of(Motion::normal), OpenQuestion::About::elastoplastic));
 }

@@ -26,7 +26,7 @@ TEST(RollingDerivation_analytic, finds_the_law_of_what_is_dissipated_below_hills
   }
   const auto sets = collect_parameter_sets({root.path});
   ASSERT_EQ(sets.sets.size(), 1u);
-  const Derivation derivation = derive_parameters(sets.sets.front());
+  const Derivation derivation = derive_parameters(reduced_set(sets.sets.front()));
   const ContactParameters& p = derivation.parameters;
   ASSERT_TRUE(p.rolling_friction);
   EXPECT_EQ(p.rolling_friction->length_scale, LengthScale::particle_radius);
@@ -61,7 +61,8 @@ TEST(SlidingDerivation_analytic, tells_how_few_contact_diameters_a_short_way_has
   test::MovingFolder made;
   made.path_in_radii = 3;  // in steps of a twentieth, two of them of onset before and after
   test::write_moving(root.path / "short", made);
-  const Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
+  const Derivation derivation =
+      derive_parameters(reduced_set(collect_parameter_sets({root.path}).sets.front()));
   const auto* open = test::asked(derivation.law_of(Motion::sliding), OpenQuestion::About::long_paths);
   ASSERT_TRUE(open);
   EXPECT_NEAR(open->number, 1.5, 0.05);
@@ -76,7 +77,7 @@ TEST(RollingDerivation_analytic, stiffness_of_rolling_back_states_what_the_mesh_
     made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.reverse = true,
     made.spacing = spacing;
     test::write_moving(root.path / name, made);
-    return *derive_parameters(collect_parameter_sets({root.path / name}).sets.front())
+    return *derive_parameters(reduced_set(collect_parameter_sets({root.path / name}).sets.front()))
                 .parameters.rolling_stiffness;
   };
   const EffectiveQuantity fine = derived("fine", 10e-9), coarse = derived("coarse", 40e-9);
@@ -93,7 +94,8 @@ TEST(RollingDerivation_behaviour, of_a_way_too_short_is_not_told) {
   test::MovingFolder made;
   made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.path_in_radii = 0.9;
   test::write_moving(root.path / "short", made);
-  const Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
+  const Derivation derivation =
+      derive_parameters(reduced_set(collect_parameter_sets({root.path}).sets.front()));
   EXPECT_FALSE(derivation.parameters.rolling_friction);
   EXPECT_TRUE(test::asked(derivation.law_of(Motion::rolling), OpenQuestion::About::slip));
 }

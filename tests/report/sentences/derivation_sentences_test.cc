@@ -94,7 +94,7 @@ TEST(DerivationSentences_behaviour, are_written_into_the_record_and_said) {
   test::MovingFolder made;
   made.experiment = "rolling", made.friction = 1e-13, made.hills = 20, made.reverse = true;
   test::write_moving(root.path / "rolled", made);
-  Derivation derivation = derive_parameters(collect_parameter_sets({root.path}).sets.front());
+  Derivation derivation = derive_parameters(reduced_set(collect_parameter_sets({root.path}).sets.front()));
   write_words(derivation);
   const ContactParameters& p = derivation.parameters;
   EXPECT_SAYS(p.title, "Derived from 1 solved case: sphere 8.5 um (E ");
