@@ -6,7 +6,7 @@
 #include "app/case_times.h"
 #include "core/experiment_declaration.h"
 #include "core/motion_program.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity {
 namespace {

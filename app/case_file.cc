@@ -15,7 +15,7 @@
 #include "core/renamed_entries.h"
 #include "core/written_apart.h"
 #include "fem/interface/adhesion_law.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 #include "surfaces/scan_spec.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include "core/experiment_declaration.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity {
 namespace {

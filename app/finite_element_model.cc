@@ -17,7 +17,7 @@
 #include "core/quantity.h"
 #include "core/wait_text.h"
 #include "fem/interface/adhesion_law.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity {
 namespace {

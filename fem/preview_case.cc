@@ -10,7 +10,7 @@
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
 #include "fem/interface/surface_attraction.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 #include "fem/solve_case.h"
 #include "half_space/partial_slip.h"
 
@@ -21,8 +21,8 @@ constexpr double tabor_factor = 3;  // hardness over yield stress (Tabor 1951)
 
 /// The lower yield stress of the bodies; infinite where nothing yields [Pa].
 double lower_yield_stress(const CaseInput& input) {
-  return std::min(fem::make_plasticity(input.particle).yield_stress,
-                  fem::make_plasticity(input.substrate).yield_stress);
+  return std::min(fem::make_material_law(input.particle).yield_stress,
+                  fem::make_material_law(input.substrate).yield_stress);
 }
 
 bool film_yields(const CaseInput& input) {
@@ -32,7 +32,7 @@ bool film_yields(const CaseInput& input) {
 std::vector<YieldingBody> yielding_bodies(const CaseInput& input) {
   std::vector<YieldingBody> bodies;
   const auto add = [&](const char* name, const BodyInput& body) {
-    const double stress = fem::make_plasticity(body).yield_stress;
+    const double stress = fem::make_material_law(body).yield_stress;
     if (std::isfinite(stress)) bodies.push_back({name, hertz_yield_factor(body.poisson_ratio) * stress});
   };
   add("particle", input.particle);

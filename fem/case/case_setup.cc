@@ -86,11 +86,11 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
 
 J2Material material_of(const BodyInput& body) {
   J2Material material = J2Material::elastic(body.youngs_modulus, body.poisson_ratio);
-  const Plasticity plasticity = make_plasticity(body);
-  material.yield_stress = plasticity.yield_stress;
-  material.kinematic_modulus = plasticity.kinematic_modulus;
-  material.hardening = plasticity.hardening;
-  material.relaxation = plasticity.relaxation;
+  const MaterialLaw law = make_material_law(body);
+  material.yield_stress = law.yield_stress;
+  material.kinematic_modulus = law.kinematic_modulus;
+  material.hardening = law.hardening;
+  material.relaxation = law.relaxation;
   return material;
 }
 

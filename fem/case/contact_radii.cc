@@ -5,7 +5,7 @@
 
 #include "core/coated_half_space.h"
 #include "fem/interface/adhesion_law.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 namespace {
@@ -47,9 +47,9 @@ double filmed_contact_radius(const CaseInput& input, const CaseSetup& setup) {
 
 double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   constexpr double mean_pressure = 2, piled_up = 1.5;  // of the yield stress, of Hertz' radius
-  const double yield =
-      std::min({make_plasticity(input.particle).yield_stress, make_plasticity(input.substrate).yield_stress,
-                input.particle.film.yield_stress, input.substrate.film.yield_stress});
+  const double yield = std::min({make_material_law(input.particle).yield_stress,
+                                 make_material_law(input.substrate).yield_stress,
+                                 input.particle.film.yield_stress, input.substrate.film.yield_stress});
   // On a soft film much thinner than the contact is wide it is up to the root of two wider than on a
   // homogeneous body (Perriot & Barthel 2004).
   const auto is_softer = [](const BodyInput& body) {

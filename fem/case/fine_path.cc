@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fem/case/solve_cost.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 namespace {

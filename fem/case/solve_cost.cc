@@ -1,7 +1,7 @@
 #include "fem/case/solve_cost.h"
 
 #include "fem/case/fine_path.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 #include "fem/programs/program.h"
 
 namespace asperity::fem {

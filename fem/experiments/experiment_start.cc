@@ -9,7 +9,7 @@
 #include "fem/case/mesh_quality.h"
 #include "fem/contact/carried_state.h"
 #include "fem/experiments/contact_experiment.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 

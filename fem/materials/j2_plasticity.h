@@ -13,6 +13,7 @@
 #include "fem/cells/hex_kernel.h"
 #include "fem/cells/step_failure.h"
 #include "fem/materials/hardening.h"
+#include "fem/materials/relaxation.h"
 
 namespace asperity::fem {
 

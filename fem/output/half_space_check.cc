@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "fem/interface/surface_attraction.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 

@@ -8,7 +8,7 @@
 
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 #include "fem/output/added_column.h"
 #include "fem/output/discretisation_error.h"
 #include "fem/output/effective_values.h"

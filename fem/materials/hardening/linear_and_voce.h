@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/quantity.h"
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 
@@ -48,7 +48,7 @@ class LinearAndVoce : public Hardening {
     return all;
   }
   /// From the values of all parameters.
-  static Plasticity make(const LawValues& values) {
+  static MaterialLaw make(const LawValues& values) {
     const double modulus = values.at("Hardening modulus"), kinematic = values.at("Hardening");
     return {values.at("Yield stress"), kinematic * modulus,
             std::make_shared<LinearAndVoce>((1 - kinematic) * modulus, values.at("Voce saturation"),

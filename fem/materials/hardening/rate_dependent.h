@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 
@@ -66,7 +66,7 @@ inline const Registered<MaterialDeclaration> rate_dependent_law{
       "Johnson & Cook (1983), Camacho & Ortiz (1997); Cowper & Symonds (1957)",
       "creep of what has yielded, over some decades of time; Experiment/Load time and Hold time say how fast",
       parameters_of_rate()},
-     [](const LawValues& values) -> Plasticity {
+     [](const LawValues& values) -> MaterialLaw {
        return {values.at("Yield stress"), 0,
                std::make_shared<RateDependent>(values.at("Hardening modulus"), values.at("Rate sensitivity"),
                                                values.at("Creep time"), values.at("Rate exponent"))};

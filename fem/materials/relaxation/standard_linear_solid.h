@@ -1,7 +1,7 @@
 // A body whose shear modulus relaxes with time, and that does not yield.
 #pragma once
 
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 
@@ -23,8 +23,8 @@ inline const Registered<MaterialDeclaration> standard_linear_solid{
         Dimension::time,
         "tau, after which 1/e of the relaxing share is left; 0: none relaxes.",
         "0 s"}}},
-     [](const LawValues& values) -> Plasticity {
-       Plasticity elastic{default_of(yield_stress_parameter())};
+     [](const LawValues& values) -> MaterialLaw {
+       MaterialLaw elastic{default_of(yield_stress_parameter())};
        elastic.relaxation = {values.at("Relaxing share"), values.at("Relaxation time")};
        return elastic;
      },

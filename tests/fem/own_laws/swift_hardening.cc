@@ -2,7 +2,7 @@
 // Y (1 + alpha/e)^n. Swift (1952).
 #include <cmath>
 
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity::fem {
 namespace {
@@ -42,7 +42,7 @@ const Registered<MaterialDeclaration> swift_law{
         "Power by which the yield stress grows; 0: another law.",
         "0",
         {0, 1, false, false}}}},
-     [](const LawValues& values) -> Plasticity {
+     [](const LawValues& values) -> MaterialLaw {
        return {values.at("Yield stress"), 0, std::make_shared<SwiftHardening>(values)};
      },
      nullptr}};

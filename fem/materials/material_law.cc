@@ -1,4 +1,6 @@
-#include "fem/materials/hardening.h"
+#include "fem/materials/material_law.h"
+
+#include <algorithm>
 
 #include "core/error.h"
 #include "hardening_files.h"   // all of hardening/; what they declare is linked for being included here
@@ -27,7 +29,7 @@ ParameterEntry hardening_modulus_parameter() {
   return modulus;
 }
 
-Plasticity make_plasticity(const BodyInput& body) {
+MaterialLaw make_material_law(const BodyInput& body) {
   const LawValues values = with_defaults(parameters_of(material_laws()), body.parameters);
   const bool yields = std::any_of(material_laws().begin(), material_laws().end(),
                                   [&](const auto& law) { return !first_missing(law, values); });
@@ -36,8 +38,8 @@ Plasticity make_plasticity(const BodyInput& body) {
 }
 
 bool relaxes(const CaseInput& input) {
-  return make_plasticity(input.particle).relaxation.is_there() ||
-         make_plasticity(input.substrate).relaxation.is_there();
+  return make_material_law(input.particle).relaxation.is_there() ||
+         make_material_law(input.substrate).relaxation.is_there();
 }
 
 MaterialObjection objection_to(const BodyInput& body) {
