@@ -105,6 +105,11 @@ bool yields(const ContactInputs& inputs, const std::string& body) {
   return found != inputs.end() && std::isfinite(parse_quantity(found->second, Dimension::pressure));
 }
 
+bool relaxes(const ContactInputs& inputs, const std::string& body) {
+  const auto found = inputs.find(body + "/Relaxing share");
+  return found != inputs.end() && parse_quantity(found->second, Dimension::none) > 0;
+}
+
 bool adheres(const ContactInputs& inputs) {
   const auto is_given = [&](const char* entry, Dimension dimension) {
     const auto found = inputs.find(entry);

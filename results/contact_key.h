@@ -26,6 +26,8 @@ ContactInputs case_inputs(const SolvedCase& solved);
 
 /// True if a body ("Particle", "Substrate") has a finite yield stress.
 bool yields(const ContactInputs& inputs, const std::string& body);
+/// True if the shear modulus of a body ("Particle", "Substrate") relaxes with time.
+bool relaxes(const ContactInputs& inputs, const std::string& body);
 /// True if the surfaces attract: work of adhesion, liquid bridges, patch potentials, or a force.
 bool adheres(const ContactInputs& inputs);
 

@@ -60,6 +60,7 @@ class Sorter {
       contact.inputs = inputs;
       contact.bodies = contact_of(group);
       contact.can_yield = yields(inputs, "Particle") || yields(inputs, "Substrate");
+      contact.relaxes = relaxes(inputs, "Particle") || relaxes(inputs, "Substrate");
       contact.adheres = adheres(inputs);
       study_.contacts.push_back(std::move(contact));
       groups_.emplace_back();

@@ -41,7 +41,7 @@ struct MovingContact {
   std::string label;
   ContactInputs inputs;
   ComparedContact bodies;  ///< radius, RMS of the substrate, local friction
-  bool can_yield = false, adheres = false;
+  bool can_yield = false, relaxes = false, adheres = false;
   std::vector<MovingState> states;  ///< by motion, then load
   std::vector<RailState> rails;     ///< rolled and spun at once; by inclination, then load
 

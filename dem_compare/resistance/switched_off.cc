@@ -20,16 +20,23 @@ bool is_of(Mechanism mechanism, const std::string& entry) {
   if (mechanism == Mechanism::adhesion)
     return entry == "Interface/Work of adhesion" || entry == "Interface/Work of adhesion on separation" ||
            entry == "Interface/Adhesion law" || entry == "Interface/Adhesion range";
-  return ends_with("/Yield stress") || ends_with("/Hardening modulus") || ends_with("/Hardening") ||
-         ends_with("/Voce saturation") || ends_with("/Voce rate");
+  if (mechanism == Mechanism::relaxation)
+    return ends_with("/Relaxing share") || ends_with("/Relaxation time");
+  for (const char* name : {"/Yield stress", "/Hardening modulus", "/Hardening", "/Voce saturation",
+                           "/Voce rate", "/Rate sensitivity", "/Rate exponent", "/Creep time"})
+    if (ends_with(name)) return true;
+  return false;
+}
+
+bool has(Mechanism mechanism, const MovingContact& contact) {
+  if (mechanism == Mechanism::adhesion) return contact.adheres;
+  return mechanism == Mechanism::relaxation ? contact.relaxes : contact.can_yield;
 }
 
 std::optional<Mechanism> mechanism_between(const MovingContact& with, const MovingContact& without) {
   const auto differ = differing_inputs(with, without);
-  for (const Mechanism mechanism : {Mechanism::yielding, Mechanism::adhesion}) {
-    const bool switched = mechanism == Mechanism::yielding ? with.can_yield && !without.can_yield
-                                                           : with.adheres && !without.adheres;
-    if (switched &&
+  for (const Mechanism mechanism : {Mechanism::yielding, Mechanism::relaxation, Mechanism::adhesion}) {
+    if (has(mechanism, with) && !has(mechanism, without) &&
         std::all_of(differ.begin(), differ.end(), [&](const auto& entry) { return is_of(mechanism, entry); }))
       return mechanism;
   }
@@ -55,6 +62,11 @@ void compare(const MovingState& with, const MovingState& without, Contribution& 
 }
 
 }  // namespace
+
+const char* name_of(Mechanism mechanism) {
+  if (mechanism == Mechanism::adhesion) return "adhesion";
+  return mechanism == Mechanism::relaxation ? "relaxation" : "yielding";
+}
 
 Uncertain Contribution::share() const { return ratio(difference, whole); }
 

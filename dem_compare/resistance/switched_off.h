@@ -11,7 +11,7 @@ namespace asperity {
 
 /// A pair of such contacts at one load, and the difference between them.
 struct Contribution {
-  enum class Mechanism { yielding, adhesion } mechanism = Mechanism::yielding;
+  enum class Mechanism { yielding, relaxation, adhesion } mechanism = Mechanism::yielding;
   const MovingContact *with = nullptr, *without = nullptr;
   const MotionMode* mode = nullptr;
   double load = 0;
@@ -35,8 +35,11 @@ struct ContributionTrend {
   Uncertain relative() const { return {difference.slope.value / whole, difference.slope.sd / whole}; }
 };
 
-/// Pairs in which one contact has a finite yield stress, or a work of adhesion, and the other has none, all
-/// else the same.
+/// "yielding"; in sentences and in resistance.json.
+const char* name_of(Contribution::Mechanism mechanism);
+
+/// Pairs in which one contact has a finite yield stress, a relaxing share, or a work of adhesion, and the
+/// other has none, all else the same.
 std::vector<Contribution> contributions(const MovingStudy& study);
 /// Point into `contributions`.
 std::vector<ContributionTrend> contribution_trends(const std::vector<Contribution>& contributions);

@@ -30,17 +30,12 @@ std::string share_text(const Uncertain& part, const Uncertain& whole) {
   return lead_number(ratio(part, {whole.value, 0}) * per_cent) + " %";
 }
 
-/// What bodies dissipate by.
-std::string by_bodies(const SolvedCase& solved) {
-  if (solved.can_yield()) return "yielding";
-  return solved.relaxes() ? "relaxation" : "yielding";
-}
-
 /// By mechanism; what takes nothing is named too.
 std::string mechanisms_sentence(const SolvedCase& solved, const ResistanceParts& parts) {
   if (!std::isfinite(parts.total.value) || parts.total.value == 0)
     return "Its dissipation by mechanism is not identifiable from its history.";
-  return "Of it slip dissipates " + share_text(parts.friction, parts.total) + ", " + by_bodies(solved) + " " +
+  return "Of it slip dissipates " + share_text(parts.friction, parts.total) + ", " +
+         bodies_dissipate_by(solved.can_yield(), solved.relaxes()) + " " +
          share_text(parts.plastic, parts.total) + " and bonds that form and break " +
          share_text(parts.adhesion, parts.total) + ".";
 }
@@ -68,7 +63,8 @@ std::vector<Tile> tiles_of_motion(const SolvedCase& solved, const MovingCase& mo
   const ResistanceParts& parts = path.dissipated;
   if (std::isfinite(parts.total.value) && parts.total.value != 0) {
     tiles.push_back({share_text(parts.friction, parts.total), "dissipated by slip", ""});
-    tiles.push_back({share_text(parts.plastic, parts.total), "dissipated by " + by_bodies(solved), ""});
+    tiles.push_back({share_text(parts.plastic, parts.total),
+                     "dissipated by " + bodies_dissipate_by(solved.can_yield(), solved.relaxes()), ""});
     tiles.push_back({share_text(parts.adhesion, parts.total), "dissipated by bonds", "that form and break"});
   }
   const EffectiveNumber stiffness = solved.effective(mode.stiffness_key);
@@ -154,10 +150,12 @@ MotionLead lead_of_program(const SolvedCase& solved) {
                         percent_text(lateral / load) + " of the largest load"});
   if (sum > 0) {
     lead.sentences.push_back("Of what was dissipated, loading included, slip took " +
-                             percent_text(slip / sum) + ", " + by_bodies(solved) + " " +
+                             percent_text(slip / sum) + ", " +
+                             bodies_dissipate_by(solved.can_yield(), solved.relaxes()) + " " +
                              percent_text(plastic / sum) + " and bonds " + percent_text(bonds / sum) + ".");
     lead.tiles.push_back({percent_text(slip / sum), "of the dissipation is slip", ""});
-    lead.tiles.push_back({percent_text(plastic / sum), "is " + by_bodies(solved), ""});
+    lead.tiles.push_back(
+        {percent_text(plastic / sum), "is " + bodies_dissipate_by(solved.can_yield(), solved.relaxes()), ""});
     lead.tiles.push_back({percent_text(bonds / sum), "is bonds that form and break", ""});
   }
   return lead;

@@ -6,6 +6,7 @@
 #include "report/page/colour_scale.h"
 #include "report/page/display_units.h"
 #include "report/page/words.h"
+#include "report/sentences/phrases.h"
 
 namespace asperity::report {
 namespace {
@@ -93,12 +94,12 @@ Chart parts_over_rms(const RoughnessTrend& trend, const TrendAtLoad& at) {
   Chart chart{"RMS roughness of the plane [nm]", unit_label(*trend.mode, own_unit(*trend.mode))};
   chart.width = narrow;
   struct Part {
-    const char* name;
+    std::string name;
     Uncertain ResistanceParts::*member;
   };
-  for (const auto& part :
-       {Part{"slip", &ResistanceParts::friction}, Part{"yielding", &ResistanceParts::plastic},
-        Part{"bonds", &ResistanceParts::adhesion}}) {
+  for (const auto& part : {Part{"slip", &ResistanceParts::friction},
+                           Part{bodies_dissipate_by(trend.contacts), &ResistanceParts::plastic},
+                           Part{"bonds", &ResistanceParts::adhesion}}) {
     Series series{part.name, line_colour(chart.series.size()), Series::Style::line_with_points};
     bool any = false;
     for (const auto* contact : trend.contacts)

@@ -13,10 +13,6 @@ using Json = nlohmann::ordered_json;
 
 static Json label_or_null(const MovingContact* contact) { return contact ? Json(contact->label) : Json(); }
 
-static const char* name_of(Contribution::Mechanism mechanism) {
-  return mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion";
-}
-
 static void to_json(Json& json, const ResistanceParts& parts) {
   json = {{"friction", parts.friction},
           {"plastic", parts.plastic},

@@ -79,8 +79,8 @@ std::string motion_section(const MovingStudy& study, const MotionMode& mode) {
           "not passed before. The conservative topographic part gives back what it takes, so the mean {} of "
           "a short path is mostly its own; over a long one both agree. ± holds the scatter of blocks of the "
           "path (block averaging) and of realisations, and what the energy balance leaves open. Slip, "
-          "yielding and bonds (opened with more work than they gave when closing) are their shares.",
-          {slides ? "path length" : "angle", slides ? "force" : "moment"});
+          "{} and bonds (opened with more work than they gave when closing) are their shares.",
+          {slides ? "path length" : "angle", slides ? "force" : "moment", bodies_dissipate_by(study)});
   if (&mode == &rolling_mode())
     explanation +=
         " The discretisation itself shows moments of up to 5·10⁻⁴ P a on smooth elastic bodies "

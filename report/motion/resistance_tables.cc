@@ -38,7 +38,8 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
                slides ? "over load" : "over P a"}};
   if (!slides) table.head.emplace_back("over P r");
   if (!mode.has_length || spins) table.head.emplace_back(slides ? "over µ P" : "over 3π/16 µ P a");
-  for (const char* head : {"slip [%]", "yielding [%]", "bonds [%]"}) table.head.emplace_back(head);
+  for (const std::string& head : {std::string("slip"), bodies_dissipate_by(study), std::string("bonds")})
+    table.head.push_back(head + " [%]");
   table.head.emplace_back(slides ? "mean force [µN]" : "mean moment [pN m]");
   table.head.emplace_back("fluctuates by (sd)");
   for (const char* head : {"balance open [%]", spins ? "path [rad]" : "path [contact radii]",
@@ -66,9 +67,9 @@ std::string resistance_table(const MovingStudy& study, const MotionMode& mode) {
 }
 
 std::string rail_table(const MovingStudy& study) {
-  Table table{{"contact", "inclination", "load", "resistance [pN m]", "slip [%]", "yielding [%]", "bonds [%]",
-               "M_ro cos + M_to sin [pN m]", "over it", "spin moment [pN m]", "over torsion alone",
-               "path [contact radii]"}};
+  Table table{{"contact", "inclination", "load", "resistance [pN m]", "slip [%]",
+               bodies_dissipate_by(study) + " [%]", "bonds [%]", "M_ro cos + M_to sin [pN m]", "over it",
+               "spin moment [pN m]", "over torsion alone", "path [contact radii]"}};
   for (const auto& contact : study.contacts)
     for (const auto& rail : contact.rails) {
       std::vector<std::string> row{readable(contact.label), rounded(rail.inclination * 180 / M_PI) + "°",
@@ -120,8 +121,8 @@ std::string exponent_table(const ResistanceFindings& findings) {
 
 std::string trend_table(const ResistanceFindings& findings) {
   if (findings.trends.empty()) return "";
-  Table table{{"motion", "load", "resistance [% per nm]", "of it slip", "yielding", "bonds",
-               "mean force or moment [% per nm]"}};
+  Table table{{"motion", "load", "resistance [% per nm]", "of it slip", bodies_dissipate_by(findings.study),
+               "bonds", "mean force or moment [% per nm]"}};
   for (const auto& trend : findings.trends)
     for (const auto& at : trend.loads) {
       std::vector<std::string> row{motion_name(*trend.mode), in_units(at.load, Dimension::force)};
@@ -138,12 +139,12 @@ std::string trend_table(const ResistanceFindings& findings) {
 std::string contribution_table(const ResistanceFindings& findings) {
   if (findings.contributions.empty()) return "";
   Table table{{"what is switched off", "contact", "beside", "motion", "load", "change of resistance [%]",
-               "of slip [%]", "of yielding [%]", "of bonds [%]"}};
+               "of slip [%]", "of " + bodies_dissipate_by(findings.study) + " [%]", "of bonds [%]"}};
   for (const auto& one : findings.contributions) {
     // What switching off changes: the negative of the contribution.
-    std::vector<std::string> row{one.mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion",
-                                 readable(one.with->label), readable(one.without->label),
-                                 motion_name(*one.mode), in_units(one.load, Dimension::force)};
+    std::vector<std::string> row{name_of(one.mechanism), readable(one.with->label),
+                                 readable(one.without->label), motion_name(*one.mode),
+                                 in_units(one.load, Dimension::force)};
     for (const auto& part : {one.difference, one.parts.friction, one.parts.plastic, one.parts.adhesion})
       row.push_back(share_of(part * -1, one.whole));
     table.rows.push_back(std::move(row));

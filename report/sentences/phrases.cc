@@ -142,6 +142,25 @@ std::string law_words(const ResistanceLaw& law, const std::string& symbol) {
 
 std::string sigma_text(double sigmas) { return printed("%.3g σ", std::round(10 * std::abs(sigmas)) / 10); }
 
+std::string bodies_dissipate_by(bool yields, bool relaxes) {
+  if (!relaxes) return "yielding";
+  return yields ? "yielding and relaxation" : "relaxation";
+}
+
+std::string bodies_dissipate_by(const std::vector<const MovingContact*>& contacts) {
+  const auto any = [&](bool MovingContact::*member) {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [&](const auto* contact) { return contact->*member; });
+  };
+  return bodies_dissipate_by(any(&MovingContact::can_yield), any(&MovingContact::relaxes));
+}
+
+std::string bodies_dissipate_by(const MovingStudy& study) {
+  std::vector<const MovingContact*> contacts;
+  for (const MovingContact& contact : study.contacts) contacts.push_back(&contact);
+  return bodies_dissipate_by(contacts);
+}
+
 Uncertain per_nanometre(const Uncertain& slope) { return slope * 1e-9; }
 
 std::string with_roughness(Trend::Sign sign) {

@@ -5,11 +5,13 @@
 
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "core/quantity.h"
 #include "dem_compare/cases/motion_mode.h"
 #include "dem_compare/derive/resistance_law.h"
 #include "dem_compare/numbers/statistics.h"
+#include "dem_compare/resistance/moving_study.h"
 #include "dem_compare/resistance/trend.h"
 
 namespace asperity::report {
@@ -53,6 +55,12 @@ std::string law_words(const ResistanceLaw& law, const std::string& symbol = "µ"
 /// "2.3 σ"
 /// A ratio to the standard deviation [-].
 std::string sigma_text(double sigmas);
+
+/// What bodies dissipate by: "yielding", "relaxation" or "yielding and relaxation"; of contacts that do
+/// neither, "yielding".
+std::string bodies_dissipate_by(bool yields, bool relaxes);
+std::string bodies_dissipate_by(const std::vector<const MovingContact*>& contacts);
+std::string bodies_dissipate_by(const MovingStudy& study);
 
 /// Of a change per metre: over a nanometre.
 Uncertain per_nanometre(const Uncertain& slope);

@@ -20,15 +20,18 @@ std::string subject(const MotionMode& mode, const MovingContact& contact, double
 }
 
 struct Mechanism {
-  const char* name;
+  std::string name;
   Trend TrendAtLoad::*trend;
 };
-constexpr Mechanism mechanisms[] = {
-    {"slip", &TrendAtLoad::friction}, {"yielding", &TrendAtLoad::plastic}, {"bonds", &TrendAtLoad::adhesion}};
+std::vector<Mechanism> mechanisms_of(const RoughnessTrend& trend) {
+  return {{"slip", &TrendAtLoad::friction},
+          {bodies_dissipate_by(trend.contacts), &TrendAtLoad::plastic},
+          {"bonds", &TrendAtLoad::adhesion}};
+}
 
 std::string parts_sentence(const RoughnessTrend& trend) {
   Sentences parts;
-  for (const auto& mechanism : mechanisms) {
+  for (const auto& mechanism : mechanisms_of(trend)) {
     const Uncertain share = trend.relative_of(mechanism.trend);
     if (std::isfinite(share.value))
       parts.push_back(mechanism.name + (" " + change_percent(per_nanometre(share))));
@@ -42,7 +45,7 @@ std::string cause_sentence(const RoughnessTrend& trend) {
   if (!rolls && trend.mode != &sliding_mode()) return "";
   const Sign asked = rolls ? Sign::falls : Sign::rises;
   Sentences causes;
-  for (const auto& mechanism : mechanisms)
+  for (const auto& mechanism : mechanisms_of(trend))
     if (sign_of(trend.relative_of(mechanism.trend)) == asked) causes.emplace_back(mechanism.name);
   const std::string motion = motion_name(*trend.mode), change = rolls ? "fall" : "rise",
                     names = joined(causes, " and ");
@@ -76,10 +79,6 @@ Sentences roughness_sentences(const ResistanceFindings& findings) {
         "How resistance changes with roughness is not identifiable: no two contacts differ by the "
         "substrate's RMS alone.");
   return list;
-}
-
-const char* name_of(Contribution::Mechanism mechanism) {
-  return mechanism == Contribution::Mechanism::yielding ? "yielding" : "adhesion";
 }
 
 /// First what changes with roughness, then pair by pair.

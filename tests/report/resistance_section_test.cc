@@ -81,6 +81,16 @@ TEST(ResistancePage_behaviour,
   EXPECT_EQ(json["contacts"].size(), 6u);
 }
 
+TEST(ResistancePage_behaviour, what_relaxing_bodies_dissipate_is_called_relaxation) {
+  const TemporaryFolder root;
+  MovingFolder relaxing;
+  relaxing.friction = 20e-6, relaxing.plastic = 5e-6, relaxing.yield_stress = "inf";
+  relaxing.relaxing_share = 0.4;
+  const std::string html = report_of(test::write_moving_study(root.path, {{"relaxing", relaxing}}));
+  EXPECT_TRUE(test::has(html, "relaxation [%]"));
+  EXPECT_FALSE(test::has(html, "yielding [%]"));
+}
+
 TEST(ResistancePage_behaviour, pressed_and_moving_cases_in_one_study_have_both_parts) {
   const TemporaryFolder root;
   test::write_moving_study(root.path, {{"rough", MovingFolder()}});

@@ -137,6 +137,20 @@ TEST(ResistanceContribution_analytic, a_mechanism_switched_off_shows_what_it_con
   }
 }
 
+TEST(ResistanceContribution_analytic, a_body_that_relaxes_is_not_said_to_yield) {
+  MovingFolder relaxing;
+  relaxing.friction = 20e-6, relaxing.plastic = 5e-6, relaxing.noise = 0.03, relaxing.yield_stress = "inf",
+  relaxing.relaxing_share = 0.4;
+  MovingFolder elastic = relaxing;
+  elastic.plastic = 0, elastic.relaxing_share = 0, elastic.random = 2;
+  const Study study({{"relaxing", relaxing}, {"elastic", elastic}});
+  ASSERT_EQ(study.findings.contributions.size(), 1u);
+  const Contribution& one = study.findings.contributions.front();
+  EXPECT_STREQ(name_of(one.mechanism), "relaxation");
+  EXPECT_NEAR(one.difference.value, 5e-6, 3 * one.difference.sd);
+  EXPECT_FALSE(one.with->can_yield);
+}
+
 TEST(ResistanceContribution_analytic, what_adhesion_contributes_is_followed_over_roughness) {
   const Study study(adhesion_over_roughness());
   ASSERT_EQ(study.findings.contribution_trends.size(), 1u);

@@ -30,6 +30,7 @@ struct MovingFolder {
   double rms = 1.5;              ///< of the substrate [nm]; 0: smooth
   int seed = 1;
   std::string yield_stress = "3 GPa", work_of_adhesion = "0 J/m^2";
+  double relaxing_share = 0;  ///< of the sphere's shear modulus
   double local_friction = 0.2, spacing = 1e-8;
   ElasticBody plane{179e9, 0.25};
   bool with_energies = true;
@@ -165,8 +166,10 @@ inline std::filesystem::path write_moving(const std::filesystem::path& folder, c
       << " um\n set Young modulus = 71 GPa\n set Poisson ratio = 0.17\n set Yield stress = "
       << made.yield_stress
       << "\n set Topography = generated(rms=0.7 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed="
-      << 100 + made.seed
-      << ")\nend\nsubsection Substrate\n set Young modulus = " << made.plane.youngs_modulus * 1e-9
+      << 100 + made.seed << ")\n";
+  if (made.relaxing_share > 0)
+    prm << " set Relaxing share = " << made.relaxing_share << "\n set Relaxation time = 0.1 s\n";
+  prm << "end\nsubsection Substrate\n set Young modulus = " << made.plane.youngs_modulus * 1e-9
       << " GPa\n set Poisson ratio = " << made.plane.poisson_ratio
       << "\n set Yield stress = " << made.yield_stress << "\n set Topography = " << surface.str()
       << "\nend\nsubsection Interface\n set Friction coefficient = " << made.local_friction
