@@ -6,6 +6,7 @@
 #include "core/motion_program.h"
 #include "fem/case/case_setup.h"
 #include "fem/experiments/contact_experiment.h"
+#include "fem/materials/material_law.h"
 
 namespace asperity {
 namespace {

@@ -14,6 +14,7 @@
 #include "fem/case/derived_spacing.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/interface/friction_law.h"
+#include "fem/materials/material_law.h"
 #include "surfaces/sampler.h"
 #include "surfaces/surface_of_entry.h"
 
