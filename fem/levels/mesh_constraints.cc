@@ -119,36 +119,20 @@ void MeshLevel::fill_arrays(const DriveShares& shares, Control control) {
   for (const auto& [dof, weight] : shares.along_z) share_along_z_.emplace_back(local(dof), weight);
   for (const auto& [dof, weight] : shares.along_x) share_along_x_.emplace_back(local(dof), weight);
   driven_share_ = share_along_z_;
-  entry_start_.push_back(0);
   for (const auto& line : constraints_.get_lines()) {
-    constrained_.push_back(local(line.index));
-    for (const auto& [master, weight] : line.entries) {
-      entry_dof_.push_back(local(master));
-      entry_weight_.push_back(weight);
-    }
+    lines_.add_line(local(line.index));
+    for (const auto& [master, weight] : line.entries) lines_.add_entry(local(master), weight);
     const auto tilted = shares.along_x.find(line.index);
-    if (tilted != shares.along_x.end() && control == Control::force) {
-      tilted_entry_.emplace_back(static_cast<int>(entry_dof_.size()), tilted->second);
-      entry_dof_.push_back(local(driven_dof_));
-      entry_weight_.push_back(0);
-    }
-    entry_start_.push_back(static_cast<int>(entry_dof_.size()));
+    if (tilted != shares.along_x.end() && control == Control::force)
+      tilted_entry_.emplace_back(lines_.add_entry(local(driven_dof_), 0), tilted->second);
   }
+  all_lines_.emplace(lines_.all());
 }
 
 void MeshLevel::set_drive_tilt(double tilt) {
-  for (const auto& [entry, share] : tilted_entry_) entry_weight_[entry] = tilt * share;
+  for (const auto& [entry, share] : tilted_entry_) lines_.set_weight(entry, tilt * share);
   driven_share_ = share_along_z_;
   for (const auto& [dof, share] : share_along_x_) driven_share_.emplace_back(dof, tilt * share);
-}
-
-void MeshLevel::condense_diagonal(double* y) const {
-  for (std::size_t c = 0; c < constrained_.size(); ++c) {
-    const double value = y[constrained_[c]];
-    y[constrained_[c]] = 0;
-    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
-      y[entry_dof_[e]] += entry_weight_[e] * entry_weight_[e] * value;
-  }
 }
 
 }  // namespace asperity::fem

@@ -10,10 +10,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fem/cells/simd.h"
 #include "fem/levels/cell_materials.h"
+#include "fem/levels/constraint_lines.h"
 #include "meshing/contact_mesh.h"
 
 namespace asperity::fem {
@@ -88,30 +90,22 @@ class MeshLevel {
   /// Sets constrained entries from the free ones (homogeneous part). Ghosts must be up to date.
   template <typename Number>
   void distribute(Number* x) const {
-    for (std::size_t c = 0; c < constrained_.size(); ++c) distribute_line(c, x);
+    all_lines_->distribute(x);
   }
   /// Transpose: moves what constrained rows received to the free ones and zeroes them.
   template <typename Number>
   void condense(Number* y) const {
-    for (std::size_t c = 0; c < constrained_.size(); ++c) condense_line(c, y);
+    all_lines_->condense(y);
   }
-  /// The same for some of constrained(), by rising index.
-  template <typename Number>
-  void distribute(const std::vector<int>& lines, Number* x) const {
-    for (const int c : lines) distribute_line(c, x);
-  }
-  template <typename Number>
-  void condense(const std::vector<int>& lines, Number* y) const {
-    for (const int c : lines) condense_line(c, y);
-  }
+  const ConstraintLines& lines() const { return lines_; }
   /// The same with a given displacement of the driven plane along z (displacement control).
   /// x and driven [m].
   void distribute(double* x, double driven) const {
     distribute(x);
     for (const auto& [dof, share] : driven_share_) x[dof] += share * driven;
   }
-  const std::vector<int>& constrained() const { return constrained_; }
-  void condense_diagonal(double* y) const;
+  const std::vector<int>& constrained() const { return lines_.constrained(); }
+  void condense_diagonal(double* y) const { lines_.condense_diagonal(y); }
 
   /// Batches in runs that threads may write without meeting, then the rest: work(first, last), pointers to
   /// their numbers.
@@ -135,20 +129,6 @@ class MeshLevel {
   /// How much of the driven plane's common displacement each unknown gets along z, and along x when tilted.
   struct DriveShares;
 
-  template <typename Number>
-  void distribute_line(std::size_t c, Number* x) const {
-    Number sum = 0;
-    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
-      sum += static_cast<Number>(entry_weight_[e]) * x[entry_dof_[e]];
-    x[constrained_[c]] = sum;
-  }
-  template <typename Number>
-  void condense_line(std::size_t c, Number* y) const {
-    const Number value = y[constrained_[c]];
-    y[constrained_[c]] = 0;
-    for (int e = entry_start_[c]; e < entry_start_[c + 1]; ++e)
-      y[entry_dof_[e]] += static_cast<Number>(entry_weight_[e]) * value;
-  }
   /// Collective, in this order: driven unknown, constraints whatever the control, those of the control,
   /// layout of vectors, arrays for the kernels.
   void make_constraints(Control control);
@@ -179,8 +159,8 @@ class MeshLevel {
   std::vector<std::pair<int, double>> tilted_entry_;  ///< entries that hold a share along x, and that share
   std::vector<CellBatch> batches_;
   std::vector<int> run_start_, run_batches_, meeting_batches_;
-  std::vector<int> constrained_, entry_start_, entry_dof_;
-  std::vector<double> entry_weight_;
+  ConstraintLines lines_;
+  std::optional<ConstraintLines::Part> all_lines_;
   std::vector<InterfaceFace> interface_faces_;
   std::vector<int> place_of_cell_;  ///< lanes * batch + lane; -1: not owned
 };

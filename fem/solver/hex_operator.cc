@@ -71,9 +71,10 @@ void HexOperator<Number>::set_part(std::vector<char> batches) {
       const auto dof = 3 * static_cast<dealii::types::global_dof_index>(node);
       if (partitioner.in_local_range(dof)) touched[partitioner.global_to_local(dof) / 3] = 1;
     }
-  lines_.clear();
+  std::vector<int> lines;
   for (std::size_t c = 0; c < level_.constrained().size(); ++c)
-    if (touched[level_.constrained()[c] / 3]) lines_.push_back(static_cast<int>(c));
+    if (touched[level_.constrained()[c] / 3]) lines.push_back(static_cast<int>(c));
+  lines_.emplace(level_.lines().part(lines));
 }
 
 template <typename Number>
@@ -137,7 +138,7 @@ void HexOperator<Number>::vmult(Vector<Number>& dst, const Vector<Number>& src) 
   if (parallel) src.update_ghost_values();
   // Constrained entries of a vector carry no information of their own: they are slaves of the free ones.
   Number* x = const_cast<Number*>(src.begin());
-  part_.empty() ? level_.distribute(x) : level_.distribute(lines_, x);
+  lines_ ? lines_->distribute(x) : level_.distribute(x);
   dst = Number(0);
   if (parallel) dst.zero_out_ghost_values();
   Number* y = dst.begin();
@@ -145,7 +146,7 @@ void HexOperator<Number>::vmult(Vector<Number>& dst, const Vector<Number>& src) 
   if (interface_) interface_->apply(x, y);
   if (driven_spring_ != 0 && level_.owns_driven_dof())
     y[level_.local_driven_dof()] += driven_spring_ * x[level_.local_driven_dof()];
-  part_.empty() ? level_.condense(y) : level_.condense(lines_, y);
+  lines_ ? lines_->condense(y) : level_.condense(y);
   if (parallel) {
     dst.compress(dealii::VectorOperation::add);
     src.zero_out_ghost_values();

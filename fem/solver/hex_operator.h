@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fem/cells/hex_kernel.h"
@@ -77,7 +78,7 @@ class HexOperator {
   const InterfaceOperator* interface_ = nullptr;
   const TangentField* tangent_ = nullptr;
   std::vector<char> part_;  ///< by batch, whether it takes part in vmult; empty: all do
-  std::vector<int> lines_;  ///< constraints at the part's nodes and at the interface, if there is a part
+  std::optional<ConstraintLines::Part> lines_;  ///< constraints at the part's nodes and at the interface
   Number driven_spring_ = 0;
 };
 

@@ -1,0 +1,92 @@
+#include "fem/levels/constraint_lines.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace asperity::fem {
+
+void ConstraintLines::add_line(int constrained) {
+  constrained_.push_back(constrained);
+  start_.push_back(start_.back());
+}
+
+int ConstraintLines::add_entry(int free, double weight) {
+  free_.push_back(free);
+  weight_.push_back(weight);
+  return start_.back()++;
+}
+
+ConstraintLines::Part ConstraintLines::all() const {
+  std::vector<int> lines(constrained_.size());
+  std::iota(lines.begin(), lines.end(), 0);
+  return part(lines);
+}
+
+bool ConstraintLines::is_of_node(std::size_t line) const {
+  if (line + 2 >= constrained_.size() || constrained_[line] % 3 != 0) return false;
+  const int first = start_[line], entries = start_[line + 1] - first;
+  if (entries == 0) return false;
+  for (int c = 0; c < 3; ++c) {
+    if (constrained_[line + c] != constrained_[line] + c ||
+        start_[line + c + 1] - start_[line + c] != entries)
+      return false;
+    for (int e = 0; e < entries; ++e) {
+      const double weight = weight_[first + e];
+      if (free_[first + e] % 3 != 0 || free_[first + c * entries + e] != free_[first + e] + c ||
+          weight_[first + c * entries + e] != weight ||
+          static_cast<double>(static_cast<float>(weight)) != weight)
+        return false;
+    }
+  }
+  return true;
+}
+
+ConstraintLines::Part::Part(const ConstraintLines& all, const std::vector<int>& lines) : all_(&all) {
+  const auto follows = [&](std::size_t k, int c) {
+    return k + c < lines.size() && lines[k + c] == lines[k] + c;
+  };
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const int line = lines[k];
+    if (!follows(k, 1) || !follows(k, 2) || !all.is_of_node(line)) {
+      single_.push_back(line);
+      continue;
+    }
+    hanging_.node.push_back(all.constrained_[line] / 3);
+    for (int e = all.start_[line]; e < all.start_[line + 1]; ++e)
+      hanging_.entry.push_back({all.free_[e] / 3, static_cast<float>(all.weight_[e])});
+    hanging_.start.push_back(static_cast<int>(hanging_.entry.size()));
+    k += 2;
+  }
+  receiving_ = hanging_.transposed();
+}
+
+ConstraintLines::Part::NodeSums ConstraintLines::Part::NodeSums::transposed() const {
+  struct Whole {
+    int free, constrained;
+    float weight;
+  };
+  std::vector<Whole> all;
+  for (std::size_t k = 0; k < node.size(); ++k)
+    for (int e = start[k]; e < start[k + 1]; ++e) all.push_back({entry[e].node, node[k], entry[e].weight});
+  std::stable_sort(all.begin(), all.end(), [](const Whole& a, const Whole& b) { return a.free < b.free; });
+  NodeSums sums;
+  for (const Whole& one : all) {
+    if (sums.node.empty() || sums.node.back() != one.free) {
+      sums.node.push_back(one.free);
+      sums.start.push_back(sums.start.back());
+    }
+    sums.entry.push_back({one.constrained, one.weight});
+    ++sums.start.back();
+  }
+  return sums;
+}
+
+void ConstraintLines::condense_diagonal(double* y) const {
+  for (std::size_t c = 0; c < constrained_.size(); ++c) {
+    const double value = y[constrained_[c]];
+    y[constrained_[c]] = 0;
+    for (int e = start_[c]; e < start_[c + 1]; ++e) y[free_[e]] += weight_[e] * weight_[e] * value;
+  }
+}
+
+}  // namespace asperity::fem
