@@ -89,43 +89,54 @@ void MeshLevel::take_films(const meshing::RoughGeometry& geometry, const CellMat
     for (int l = batch.count; l < lanes; ++l) batch.material[l] = batch.material[0];
 }
 
-std::vector<int> MeshLevel::slabs_of_batches(int slabs) const {
+std::vector<int> MeshLevel::slabs_of_batches(const std::vector<int>& batches, int slabs, int axis) const {
   std::vector<double> place(batches_.size(), 0);
   for (const auto& cell : dofs_->active_cell_iterators())
     if (cell->is_locally_owned()) {
       const int batch = place_of_cell_[cell->active_cell_index()] / lanes;
-      place[batch] += cell->center()[0] / batches_[batch].count;
+      place[batch] += cell->center()[axis] / batches_[batch].count;
     }
-  std::vector<int> order(batches_.size()), slab(batches_.size());
+  std::vector<int> order(batches.size()), slab(batches.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place[a] < place[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return place[batches[a]] < place[batches[b]]; });
   for (std::size_t rank = 0; rank < order.size(); ++rank)
     slab[order[rank]] = static_cast<int>(rank * static_cast<std::size_t>(slabs) / order.size());
   return slab;
 }
 
-void MeshLevel::make_thread_runs() {
-  constexpr std::size_t worth_threads = 200;
-  const int runs = batches_.size() < worth_threads ? 1 : omp_get_max_threads();
-  const std::vector<int> run_of_batch = slabs_of_batches(runs);
+std::vector<int> MeshLevel::add_round(const std::vector<int>& batches, int runs, int axis) {
+  const std::vector<int> run_of_batch = slabs_of_batches(batches, runs, axis);
   // A node belongs to the first run that touches it; what another run has at it waits.
   std::vector<int> run_of_node(partitioner_->locally_owned_size() / 3 + partitioner_->n_ghost_indices() / 3,
                                runs);
-  for (std::size_t b = 0; b < batches_.size(); ++b)
-    for (const auto& nodes : batches_[b].node)
-      for (const int node : nodes) run_of_node[node] = std::min(run_of_node[node], run_of_batch[b]);
-  const auto waits = [&](std::size_t b) {
-    for (const auto& nodes : batches_[b].node)
+  for (std::size_t k = 0; k < batches.size(); ++k)
+    for (const auto& nodes : batches_[batches[k]].node)
+      for (const int node : nodes) run_of_node[node] = std::min(run_of_node[node], run_of_batch[k]);
+  const auto waits = [&](std::size_t k) {
+    for (const auto& nodes : batches_[batches[k]].node)
       for (const int node : nodes)
-        if (run_of_node[node] != run_of_batch[b]) return true;
+        if (run_of_node[node] != run_of_batch[k]) return true;
     return false;
   };
-  run_start_.assign(1, 0);
+  std::vector<int> round{static_cast<int>(ordered_batches_.size())}, waiting;
   for (int run = 0; run < runs; ++run) {
-    for (std::size_t b = 0; b < batches_.size(); ++b)
-      if (run_of_batch[b] == run) (waits(b) ? meeting_batches_ : run_batches_).push_back(static_cast<int>(b));
-    run_start_.push_back(static_cast<int>(run_batches_.size()));
+    for (std::size_t k = 0; k < batches.size(); ++k)
+      if (run_of_batch[k] == run) (waits(k) ? waiting : ordered_batches_).push_back(batches[k]);
+    round.push_back(static_cast<int>(ordered_batches_.size()));
   }
+  rounds_.push_back(std::move(round));
+  return waiting;
+}
+
+void MeshLevel::make_thread_runs() {
+  // What meets across the slabs of one axis is a layer, of which slabs along the next axis leave a line.
+  constexpr std::size_t worth_threads = 200;
+  std::vector<int> left(batches_.size());
+  std::iota(left.begin(), left.end(), 0);
+  for (int axis = 0; axis < 3 && left.size() >= worth_threads; ++axis)
+    left = add_round(left, omp_get_max_threads(), axis);
+  if (!left.empty()) add_round(left, 1, 0);
 }
 
 void MeshLevel::collect_interfaces() {

@@ -107,15 +107,16 @@ class MeshLevel {
   const std::vector<int>& constrained() const { return lines_.constrained(); }
   void condense_diagonal(double* y) const { lines_.condense_diagonal(y); }
 
-  /// Batches in runs that threads may write without meeting, then the rest: work(first, last), pointers to
-  /// their numbers.
+  /// Batches in runs, one round of them after the other; the threads of a round write without meeting.
+  /// work(first, last), pointers to numbers of batches.
   template <typename Work>
   void for_each_run(const Work& work) const {
-    const int runs = static_cast<int>(run_start_.size()) - 1;
+    for (const auto& round : rounds_) {
+      const int runs = static_cast<int>(round.size()) - 1;
 #pragma omp parallel for schedule(static, 1) if (runs > 1)
-    for (int run = 0; run < runs; ++run)
-      work(run_batches_.data() + run_start_[run], run_batches_.data() + run_start_[run + 1]);
-    work(meeting_batches_.data(), meeting_batches_.data() + meeting_batches_.size());
+      for (int run = 0; run < runs; ++run)
+        work(ordered_batches_.data() + round[run], ordered_batches_.data() + round[run + 1]);
+    }
   }
   /// The same, one by one.
   template <typename Work>
@@ -143,9 +144,11 @@ class MeshLevel {
   void make_batches();
   using Cell = dealii::DoFHandler<3>::active_cell_iterator;
   void add_to_batch(const Cell& cell, int index);
-  /// Slab along x of each batch, all with as many batches: few of them meet.
-  std::vector<int> slabs_of_batches(int slabs) const;
+  /// Slab along an axis of each of these batches, all with as many batches: few of them meet.
+  std::vector<int> slabs_of_batches(const std::vector<int>& batches, int slabs, int axis) const;
   void make_thread_runs();
+  /// Adds a round of `runs` over these batches; returns those that would meet others of the round.
+  std::vector<int> add_round(const std::vector<int>& batches, int runs, int axis);
   void collect_interfaces();
 
   MPI_Comm communicator_;
@@ -158,7 +161,8 @@ class MeshLevel {
   std::vector<std::pair<int, double>> driven_share_, share_along_z_, share_along_x_;
   std::vector<std::pair<int, double>> tilted_entry_;  ///< entries that hold a share along x, and that share
   std::vector<CellBatch> batches_;
-  std::vector<int> run_start_, run_batches_, meeting_batches_;
+  std::vector<int> ordered_batches_;
+  std::vector<std::vector<int>> rounds_;  ///< of each the begins of its runs in ordered_batches_, and the end
   ConstraintLines lines_;
   std::optional<ConstraintLines::Part> all_lines_;
   std::vector<InterfaceFace> interface_faces_;

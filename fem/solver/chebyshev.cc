@@ -7,6 +7,9 @@
 namespace asperity::fem {
 namespace {
 
+// Unknowns from which on the loops over vectors are worth a second thread.
+constexpr unsigned worth_threads = 20000;
+
 /// Start vector with all frequencies, of the nodes' places alone: the same on any number of ranks.
 void fill_rough(const HexOperator<float>& matrix, Vector<float>& v) {
   constexpr double roughness = 1e5;  // radians over the bodies' size: far more than one from node to node
@@ -78,10 +81,12 @@ void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const
   float* values = x.begin();
   const float first = static_cast<float>(1 / centre);
   if (zero_guess) {
+#pragma omp parallel for simd schedule(static) if (n > worth_threads)
     for (unsigned i = 0; i < n; ++i) values[i] = direction[i] = first * diagonal[i] * rhs[i];
   } else {
     matrix.vmult(residual_, x);
     const float* product = residual_.begin();
+#pragma omp parallel for simd schedule(static) if (n > worth_threads)
     for (unsigned i = 0; i < n; ++i) {
       direction[i] = first * diagonal[i] * (rhs[i] - product[i]);
       values[i] += direction[i];
@@ -93,6 +98,7 @@ void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const
     rho = next;
     matrix.vmult(residual_, x);
     const float* product = residual_.begin();
+#pragma omp parallel for simd schedule(static) if (n > worth_threads)
     for (unsigned i = 0; i < n; ++i) {
       direction[i] = keep * direction[i] + step * diagonal[i] * (rhs[i] - product[i]);
       values[i] += direction[i];
