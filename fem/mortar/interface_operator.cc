@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <type_traits>
 #include <unordered_map>
 
 #include "core/error.h"
@@ -94,6 +95,7 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
 }
 
 void InterfaceOperator::set_slopes(const std::vector<GapRow>& rows) {
+  is_summed_up_ = false;
   slope_.clear();
   tilted_ = false;
   for (const auto& row : rows) {
@@ -104,6 +106,7 @@ void InterfaceOperator::set_slopes(const std::vector<GapRow>& rows) {
 
 void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness) {
   active_.clear();
+  is_summed_up_ = false;
   stiffness_ = stiffness;
   for (int r = first_row_; r < last_row_; ++r)
     if (!stiffness[r].open()) active_.push_back(r);
@@ -145,21 +148,80 @@ void InterfaceOperator::turn(const InterfaceNodes& nodes, std::vector<NodeValue<
 }
 
 template <typename Number>
+std::array<NodeValue<Number>, 3> InterfaceOperator::columns_of(int row) const {
+  const RowStiffness& k = stiffness_[row];
+  const double n[3] = {slope_[row][0], slope_[row][1], 1};
+  const double slip[3][3] = {{k.xx, k.xy, 0}, {k.xy, k.yy, 0}, {0, 0, 0}};
+  std::array<NodeValue<Number>, 3> columns{};
+  for (int d = 0; d < 3; ++d)
+    for (int c = 0; c < 3; ++c) columns[d][c] = static_cast<Number>(slip[c][d] + k.normal * n[c] * n[d]);
+  return columns;
+}
+
+bool InterfaceOperator::has_few_nodes() const {
+  std::size_t entries = 0;
+  for (const int row : active_) entries += static_cast<std::size_t>(start_[row + 1] - start_[row]);
+  // A pair of nodes takes three products of vectors, an entry of a row two.
+  const auto nodes = static_cast<std::size_t>(touched_.count());
+  return 3 * nodes * nodes < 2 * entries;
+}
+
+void InterfaceOperator::sum_up() const {
+  is_summed_up_ = true;
+  pairs_.clear();
+  if (!has_few_nodes()) return;
+  const int nodes = touched_.count();
+  pairs_.assign(static_cast<std::size_t>(nodes) * nodes, {});
+  const auto& weight = std::get<std::vector<float>>(weights_);
+  for (const int row : active_) {
+    const auto columns = columns_of<float>(row);
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      for (int f = start_[row]; f < start_[row + 1]; ++f) {
+        auto& pair = pairs_[static_cast<std::size_t>(touched_column_[e]) * nodes + touched_column_[f]];
+        for (int d = 0; d < 3; ++d) pair[d] += weight[e] * weight[f] * columns[d];
+      }
+  }
+}
+
+template <typename Number>
+void InterfaceOperator::add_row_forces(const std::vector<NodeValue<Number>>& moved,
+                                       std::vector<NodeValue<Number>>& forces) const {
+  const auto& weight = std::get<std::vector<Number>>(weights_);
+  for (const int row : active_) {
+    const auto columns = columns_of<Number>(row);
+    NodeValue<Number> jump{};
+    for (int e = start_[row]; e < start_[row + 1]; ++e) jump += weight[e] * moved[touched_column_[e]];
+    const NodeValue<Number> force = columns[0] * jump[0] + columns[1] * jump[1] + columns[2] * jump[2];
+    for (int e = start_[row]; e < start_[row + 1]; ++e) forces[touched_column_[e]] += weight[e] * force;
+  }
+}
+
+void InterfaceOperator::add_summed_forces(const std::vector<NodeValue<float>>& moved,
+                                          std::vector<NodeValue<float>>& forces) const {
+  const std::size_t nodes = moved.size();
+  for (std::size_t a = 0; a < nodes; ++a) {
+    const auto* pair = pairs_.data() + a * nodes;
+    NodeValue<float> force{};
+    for (std::size_t b = 0; b < nodes; ++b)
+      force += pair[b][0] * moved[b][0] + pair[b][1] * moved[b][1] + pair[b][2] * moved[b][2];
+    forces[a] += force;
+  }
+}
+
+template <typename Number>
 void InterfaceOperator::apply(const Number* x, Number* y) const {
   auto& work = std::get<Workspace<Number>>(workspaces_);
   touched_.gather<Number>(x, work.moved);
   turn<Number>(touched_, work.moved, false);
   work.forces.assign(touched_.count(), NodeValue<Number>{});
-  const auto& weight = std::get<std::vector<Number>>(weights_);
-  for (const int row : active_) {
-    const RowStiffness& k = stiffness_[row];
-    NodeValue<Number> jump{}, force{};
-    for (int e = start_[row]; e < start_[row + 1]; ++e) jump += weight[e] * work.moved[touched_column_[e]];
-    const Number mx = static_cast<Number>(slope_[row][0]), my = static_cast<Number>(slope_[row][1]);
-    force[2] = static_cast<Number>(k.normal) * (jump[2] + mx * jump[0] + my * jump[1]);
-    force[0] = static_cast<Number>(k.xx) * jump[0] + static_cast<Number>(k.xy) * jump[1] + mx * force[2];
-    force[1] = static_cast<Number>(k.xy) * jump[0] + static_cast<Number>(k.yy) * jump[1] + my * force[2];
-    for (int e = start_[row]; e < start_[row + 1]; ++e) work.forces[touched_column_[e]] += weight[e] * force;
+  if (std::is_same_v<Number, float> && !is_summed_up_) sum_up();
+  if constexpr (std::is_same_v<Number, float>) {
+    if (pairs_.empty())
+      add_row_forces<Number>(work.moved, work.forces);
+    else
+      add_summed_forces(work.moved, work.forces);
+  } else {
+    add_row_forces<Number>(work.moved, work.forces);
   }
   turn<Number>(touched_, work.forces, true);
   touched_.scatter_add<Number>(work.forces, y);

@@ -6,7 +6,8 @@
 // first order in slopes. Rows, jumps and forces are in the substrate's frame; where the particle's frame is
 // turned, its displacements are rotated into the substrate's frame and its forces back. The rows are the
 // contact nodes of the finest mesh on every level: coarse functions are evaluated at them, which makes
-// G_coarse = G P exactly and spares triple products when the active set changes. Interface values are
+// G_coarse = G P exactly and spares triple products when the active set changes. Where many rows meet few
+// nodes, their stiffness is summed up for pairs of nodes. Interface values are
 // gathered on all ranks; each rank works on its share of the rows.
 #pragma once
 
@@ -83,6 +84,18 @@ class InterfaceOperator {
   void turn(const InterfaceNodes& nodes, std::vector<NodeValue<Number>>& values, bool back) const;
   /// Finds the nodes of the rows that are not open.
   void find_touched();
+  /// E of a row: its force by component of the jump, as columns [N/m].
+  template <typename Number>
+  std::array<NodeValue<Number>, 3> columns_of(int row) const;
+  /// Whether summing up costs less for each product than the rows do.
+  bool has_few_nodes() const;
+  void sum_up() const;
+  /// forces += those of all rows under the jumps that `moved` makes, at touched_.
+  template <typename Number>
+  void add_row_forces(const std::vector<NodeValue<Number>>& moved,
+                      std::vector<NodeValue<Number>>& forces) const;
+  void add_summed_forces(const std::vector<NodeValue<float>>& moved,
+                         std::vector<NodeValue<float>>& forces) const;
   /// Fields at interface nodes, kept between calls.
   template <typename Number>
   struct Workspace {
@@ -101,6 +114,9 @@ class InterfaceOperator {
   bool tilted_ = false;                                          ///< whether any row is
   std::tuple<std::vector<double>, std::vector<float>> weights_;  ///< the same, for both precisions
   mutable std::tuple<Workspace<double>, Workspace<float>> workspaces_;
+  mutable bool is_summed_up_ = false;
+  /// G^T E G of this rank's rows by pair of touched nodes, as columns; empty: rows are cheaper.
+  mutable std::vector<std::array<NodeValue<float>, 3>> pairs_;
   int first_row_ = 0, last_row_ = 0;  ///< this rank's share
 };
 
