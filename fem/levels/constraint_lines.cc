@@ -1,9 +1,16 @@
 #include "fem/levels/constraint_lines.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 
 namespace asperity::fem {
+namespace {
+
+// Threads are worth waking for some ten microseconds of work.
+constexpr int nodes_worth_threads = 3000;
+
+}  // namespace
 
 void ConstraintLines::add_line(int constrained) {
   constrained_.push_back(constrained);
@@ -88,5 +95,61 @@ void ConstraintLines::condense_diagonal(double* y) const {
     for (int e = start_[c]; e < start_[c + 1]; ++e) y[free_[e]] += weight_[e] * weight_[e] * value;
   }
 }
+
+template <typename Number>
+void ConstraintLines::Part::NodeSums::add(int place, const Number* values, Number (&sum)[3]) const {
+  for (int e = start[place]; e < start[place + 1]; ++e) {
+    const Number* value = values + 3 * static_cast<std::ptrdiff_t>(entry[e].node);
+    const Number weight = entry[e].weight;
+    for (int c = 0; c < 3; ++c) sum[c] += weight * value[c];
+  }
+}
+
+template <typename Number>
+void ConstraintLines::Part::distribute(Number* x) const {
+  const int nodes = static_cast<int>(hanging_.node.size());
+#pragma omp parallel for schedule(static) if (nodes > nodes_worth_threads)
+  for (int k = 0; k < nodes; ++k) {
+    Number sum[3] = {0, 0, 0};
+    hanging_.add(k, x, sum);
+    for (int c = 0; c < 3; ++c) x[3 * static_cast<std::ptrdiff_t>(hanging_.node[k]) + c] = sum[c];
+  }
+  for (const int line : single_) {
+    Number sum = 0;
+    for (int e = all_->start_[line]; e < all_->start_[line + 1]; ++e)
+      sum += static_cast<Number>(all_->weight_[e]) * x[all_->free_[e]];
+    x[all_->constrained_[line]] = sum;
+  }
+}
+
+template <typename Number>
+void ConstraintLines::Part::condense(Number* y) const {
+  for (const int line : single_) {
+    Number& value = y[all_->constrained_[line]];
+    for (int e = all_->start_[line]; e < all_->start_[line + 1]; ++e)
+      y[all_->free_[e]] += static_cast<Number>(all_->weight_[e]) * value;
+    value = 0;
+  }
+  const int nodes = static_cast<int>(hanging_.node.size()),
+            masters = static_cast<int>(receiving_.node.size());
+#pragma omp parallel if (nodes > nodes_worth_threads)
+  {
+#pragma omp for schedule(static)
+    for (int k = 0; k < masters; ++k) {
+      Number* target = y + 3 * static_cast<std::ptrdiff_t>(receiving_.node[k]);
+      Number sum[3] = {target[0], target[1], target[2]};
+      receiving_.add(k, y, sum);
+      for (int c = 0; c < 3; ++c) target[c] = sum[c];
+    }
+#pragma omp for schedule(static)
+    for (int k = 0; k < nodes; ++k)
+      for (int c = 0; c < 3; ++c) y[3 * static_cast<std::ptrdiff_t>(hanging_.node[k]) + c] = 0;
+  }
+}
+
+template void ConstraintLines::Part::distribute(double*) const;
+template void ConstraintLines::Part::distribute(float*) const;
+template void ConstraintLines::Part::condense(double*) const;
+template void ConstraintLines::Part::condense(float*) const;
 
 }  // namespace asperity::fem

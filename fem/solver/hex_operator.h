@@ -77,7 +77,7 @@ class HexOperator {
   std::unique_ptr<ParallelepipedBatches> parallelepipeds_;  ///< null: all cells as they are
   const InterfaceOperator* interface_ = nullptr;
   const TangentField* tangent_ = nullptr;
-  std::vector<char> part_;  ///< by batch, whether it takes part in vmult; empty: all do
+  std::vector<char> part_;                      ///< by batch, whether it takes part in vmult; empty: all do
   std::optional<ConstraintLines::Part> lines_;  ///< constraints at the part's nodes and at the interface
   Number driven_spring_ = 0;
 };
