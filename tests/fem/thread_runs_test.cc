@@ -36,12 +36,15 @@ TEST(ThreadRuns_analytic, no_two_threads_write_a_node_and_few_batches_wait) {
     fem::ContactSystem system(MPI_COMM_WORLD, setup.system);
     const fem::MeshLevel& level = system.level();
     const auto runs = runs_of(level);
-    ASSERT_EQ(runs.size(), static_cast<std::size_t>(threads) + 1);
+    // Rounds of as many runs as threads, then what one thread does alone.
+    const auto in_round = static_cast<std::size_t>(threads);
+    ASSERT_GT(runs.size(), in_round);
+    ASSERT_EQ(runs.size() % in_round, 1u);
     std::multiset<int> handed_out;
     std::map<int, std::size_t> run_of_node;
     for (std::size_t run = 0; run < runs.size(); ++run) {
       handed_out.insert(runs[run].begin(), runs[run].end());
-      if (run + 1 == runs.size()) continue;
+      if (run % in_round == 0) run_of_node.clear();
       for (const int batch : runs[run])
         for (const auto& nodes : level.batches()[static_cast<std::size_t>(batch)].node)
           for (const int node : nodes) ASSERT_EQ(run_of_node.emplace(node, run).first->second, run);
@@ -54,7 +57,7 @@ TEST(ThreadRuns_analytic, no_two_threads_write_a_node_and_few_batches_wait) {
   omp_set_num_threads(before);
   EXPECT_TRUE((test::Verified{"Meshes", "cell batches that wait for each further thread",
                               "batches in slabs of equal number"}
-                   .below(100 * most_waiting, 15, "%")));
+                   .below(100 * most_waiting, 5, "%")));
 }
 
 }  // namespace
