@@ -214,8 +214,8 @@ void InterfaceOperator::apply(const Number* x, Number* y) const {
   touched_.gather<Number>(x, work.moved);
   turn<Number>(touched_, work.moved, false);
   work.forces.assign(touched_.count(), NodeValue<Number>{});
-  if (std::is_same_v<Number, float> && !is_summed_up_) sum_up();
   if constexpr (std::is_same_v<Number, float>) {
+    if (!is_summed_up_) sum_up();
     if (pairs_.empty())
       add_row_forces<Number>(work.moved, work.forces);
     else

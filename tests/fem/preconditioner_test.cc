@@ -2,7 +2,9 @@
 // siblings read at once, touched interface nodes alone, a part of a level alone.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "fem/cells/hex_kernel.h"
 #include "fem/contact/contact_solver.h"
@@ -130,6 +132,69 @@ TEST(InterfaceOperator_analytic, few_active_rows_act_as_their_jumps_and_forces) 
   ASSERT_GT(size, 0);
   expected -= y;
   EXPECT_LT(expected.l2_norm() / size, 1e-13);
+}
+
+TEST(InterfaceOperator_analytic, many_tilted_rows_on_few_coarse_nodes_act_as_their_jumps_and_forces) {
+  ContactSystemOptions options = options_of_small_contact();
+  options.mesh.sizes.spacing_particle = options.mesh.sizes.spacing_substrate = 20e-9;
+  ContactSystem system(MPI_COMM_WORLD, options);
+  const auto forest = asperity::meshing::make_forest(MPI_COMM_WORLD, options.mesh, 6);
+  const MeshLevel level(*forest, options.control);
+  std::vector<GapRow> rows = system.rows();
+  for (std::size_t r = 0; r < rows.size(); ++r) rows[r].slope = {0.3 * std::sin(0.1 * r), 0.2};
+  InterfaceOperator interface(level, rows, system.interface().nodes());
+  interface.set_rotation(rotation({0, 0, 0.3, 0.02}));
+  std::vector<RowStiffness> stiffness(rows.size());
+  std::size_t entries = 0;
+  std::set<int> touched;
+  for (int r = 0; r < interface.rows(); ++r) {
+    stiffness[r].normal = 3.0 + r % 5, stiffness[r].xx = 1.5, stiffness[r].xy = -0.4, stiffness[r].yy = 0.9;
+    interface.for_row(r, [&](int node, double) { ++entries, touched.insert(node); });
+  }
+  interface.set_stiffness(stiffness);
+  ASSERT_LT(3 * touched.size() * touched.size(), 2 * entries);  // few indeed
+  const auto x = rough_field<double>(level);
+  const auto of_floats = rough_field<float>(level);
+  Vector<double> expected;
+  Vector<float> y;
+  level.initialise(expected);
+  level.initialise(y);
+  interface.apply(of_floats.begin(), y.begin());
+  std::array<std::vector<double>, 3> jump, force;
+  for (int c = 0; c < 3; ++c) jump[c] = force[c] = interface.jumps(x.begin(), c);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto& k = stiffness[r];
+    const auto& m = rows[r].slope;
+    force[2][r] = k.normal * (jump[2][r] + m[0] * jump[0][r] + m[1] * jump[1][r]);
+    force[0][r] = k.xx * jump[0][r] + k.xy * jump[1][r] + m[0] * force[2][r];
+    force[1][r] = k.xy * jump[0][r] + k.yy * jump[1][r] + m[1] * force[2][r];
+  }
+  for (int c = 0; c < 3; ++c) interface.add_forces(force[c], expected.begin(), c);
+  double off = 0;
+  for (unsigned i = 0; i < y.locally_owned_size(); ++i)
+    off = std::max(off, std::abs(static_cast<double>(y.local_element(i)) - expected.local_element(i)));
+  ASSERT_GT(expected.linfty_norm(), 0);
+  EXPECT_LT(off / expected.linfty_norm(), 1e-5);
+}
+
+TEST(ConstraintLines_other_code,
+     hanging_nodes_and_planes_are_those_of_deal_ii_and_condensing_is_the_transpose) {
+  ContactSystem system(MPI_COMM_WORLD, options_of_small_contact());
+  const MeshLevel& level = system.level();
+  auto free = rough_field<double>(level), whole = free, expected = free;
+  level.distribute(whole.begin());
+  level.constraints().distribute(expected);
+  expected -= whole;
+  EXPECT_LT(expected.linfty_norm(), 1e-14);
+  EXPECT_GT(whole.l2_norm(), 1.05 * free.l2_norm());  // many hang
+  // <C x, y> = <x, C^T y>
+  Vector<double> forces;
+  level.initialise(forces);
+  for (unsigned i = 0; i < forces.locally_owned_size(); ++i) forces.local_element(i) = std::cos(1.3 * i);
+  const double before = whole * forces;
+  level.condense(forces.begin());
+  EXPECT_NEAR(free * forces / before, 1, 1e-12);
+  for (const int c : level.constrained()) ASSERT_EQ(forces.local_element(c), 0);
 }
 
 TEST(HexOperator_behaviour, diagonal_follows_the_interface_when_it_changes) {
