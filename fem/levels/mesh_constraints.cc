@@ -31,19 +31,39 @@ struct MeshLevel::DriveShares {
   std::map<global_dof_index, double> along_x;
 };
 
-void MeshLevel::make_constraints(Control control) {
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
+struct MeshLevel::TiedNodes {
+  dealii::AffineConstraints<double> constraints;
+  std::vector<int> fixed_z, driven_nodes;  ///< as MeshLevel keeps them
+};
+
+void MeshLevel::make_constraints() {
   const dealii::IndexSet& owned = dofs_->locally_owned_dofs();
   first_owned_ = owned.n_elements() ? owned.nth_index_in_set(0) : 0;
   choose_driven_dof();
+  const dealii::IndexSet relevant = relevant_dofs();
+  DriveShares shares;
+  dealii::AffineConstraints<double> constraints;
+  {
+    TiedNodes tied = tie_nodes(relevant);
+    fixed_z_ = std::move(tied.fixed_z);
+    driven_nodes_ = std::move(tied.driven_nodes);
+    make_partitioner(relevant, tied.constraints);
+    constraints = constrain(tied.constraints, shares);
+  }
+  fill_arrays(constraints, shares);
+}
+
+dealii::AffineConstraints<double> MeshLevel::constraints() const {
+  DriveShares shares;
+  return constrain(tie_nodes(relevant_dofs()).constraints, shares);
+}
+
+dealii::IndexSet MeshLevel::relevant_dofs() const {
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
   relevant.add_range(driven_dof_ - 2, driven_dof_ + 1);
   relevant.compress();
-  const dealii::AffineConstraints<double> tied = tie_nodes(relevant);
-  constraints_.reinit(relevant);
-  const DriveShares shares = constrain(tied, control);
-  make_partitioner(relevant, tied);
-  fill_arrays(shares, control);
+  return relevant;
 }
 
 void MeshLevel::choose_driven_dof() {
@@ -53,20 +73,22 @@ void MeshLevel::choose_driven_dof() {
   driven_dof_ = dealii::Utilities::MPI::min(lowest, communicator_);
 }
 
-dealii::AffineConstraints<double> MeshLevel::tie_nodes(const dealii::IndexSet& relevant) {
+MeshLevel::TiedNodes MeshLevel::tie_nodes(const dealii::IndexSet& relevant) const {
   const dealii::IndexSet& owned = dofs_->locally_owned_dofs();
-  dealii::AffineConstraints<double> tied(relevant);
+  TiedNodes result{dealii::AffineConstraints<double>(relevant), {}, {}};
+  dealii::AffineConstraints<double>& tied = result.constraints;
   dealii::DoFTools::make_hanging_node_constraints(*dofs_, tied);
   for (int component = 0; component < 3; ++component)
     for (const auto dof : boundary_dofs(*dofs_, meshing::fixed_boundary, component))
       if (!tied.is_constrained(dof)) {
-        if (component == 2 && owned.is_element(dof)) fixed_z_.push_back(static_cast<int>(dof - first_owned_));
+        if (component == 2 && owned.is_element(dof))
+          result.fixed_z.push_back(static_cast<int>(dof - first_owned_));
         tied.add_line(dof);
       }
   for (int component = 0; component < 3; ++component)
     for (const auto dof : boundary_dofs(*dofs_, meshing::driven_boundary, component)) {
       if (component == 2 && owned.is_element(dof))
-        driven_nodes_.push_back(static_cast<int>((dof - first_owned_) / 3));
+        result.driven_nodes.push_back(static_cast<int>((dof - first_owned_) / 3));
       if (tied.is_constrained(dof) || dof == driven_dof_) continue;
       tied.add_line(dof);
       if (component != 1) tied.add_entry(dof, driven_dof_, 1.0);  // along x: scaled by set_drive_tilt
@@ -76,27 +98,29 @@ dealii::AffineConstraints<double> MeshLevel::tie_nodes(const dealii::IndexSet& r
   if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
     tied.make_consistent_in_parallel(owned, tied.get_local_lines(), communicator_);
   tied.close();
-  return tied;
+  return result;
 }
 
-MeshLevel::DriveShares MeshLevel::constrain(const dealii::AffineConstraints<double>& tied, Control control) {
-  DriveShares shares{{{driven_dof_, 1.0}}, {}};
+dealii::AffineConstraints<double> MeshLevel::constrain(const dealii::AffineConstraints<double>& tied,
+                                                       DriveShares& shares) const {
+  dealii::AffineConstraints<double> constraints(tied.get_local_lines());
+  shares.along_z.emplace_back(driven_dof_, 1.0);
   for (const auto& line : tied.get_lines()) {
-    constraints_.add_line(line.index);
+    constraints.add_line(line.index);
     for (const auto& [master, weight] : line.entries) {
       if (master != driven_dof_)
-        constraints_.add_entry(line.index, master, weight);
+        constraints.add_entry(line.index, master, weight);
       else if (line.index % 3 == 0)
         shares.along_x[line.index] = weight;
       else {
         shares.along_z.emplace_back(line.index, weight);
-        if (control == Control::force) constraints_.add_entry(line.index, master, weight);
+        if (control_ == Control::force) constraints.add_entry(line.index, master, weight);
       }
     }
   }
-  if (control == Control::displacement) constraints_.add_line(driven_dof_);
-  constraints_.close();
-  return shares;
+  if (control_ == Control::displacement) constraints.add_line(driven_dof_);
+  constraints.close();
+  return constraints;
 }
 
 void MeshLevel::make_partitioner(const dealii::IndexSet& relevant,
@@ -112,18 +136,18 @@ void MeshLevel::make_partitioner(const dealii::IndexSet& relevant,
                                                                        communicator_);
 }
 
-void MeshLevel::fill_arrays(const DriveShares& shares, Control control) {
+void MeshLevel::fill_arrays(const dealii::AffineConstraints<double>& constraints, const DriveShares& shares) {
   const auto local = [&](global_dof_index dof) {
     return static_cast<int>(partitioner_->global_to_local(dof));
   };
   for (const auto& [dof, weight] : shares.along_z) share_along_z_.emplace_back(local(dof), weight);
   for (const auto& [dof, weight] : shares.along_x) share_along_x_.emplace_back(local(dof), weight);
   driven_share_ = share_along_z_;
-  for (const auto& line : constraints_.get_lines()) {
+  for (const auto& line : constraints.get_lines()) {
     lines_.add_line(local(line.index));
     for (const auto& [master, weight] : line.entries) lines_.add_entry(local(master), weight);
     const auto tilted = shares.along_x.find(line.index);
-    if (tilted != shares.along_x.end() && control == Control::force)
+    if (tilted != shares.along_x.end() && control_ == Control::force)
       tilted_entry_.emplace_back(lines_.add_entry(local(driven_dof_), 0), tilted->second);
   }
   all_lines_.emplace(lines_.all());

@@ -16,15 +16,22 @@ namespace asperity::fem {
 
 using dealii::types::global_dof_index;
 
-MeshLevel::MeshLevel(const dealii::Triangulation<3>& triangulation, Control control)
-    : communicator_(triangulation.get_communicator()),
+MeshLevel::MeshLevel(const dealii::Triangulation<3>& triangulation, Control control, MPI_Comm communicator)
+    : communicator_(communicator),
       element_(dealii::FE_Q<3>(1), 3),
+      control_(control),
       dofs_(std::make_unique<dealii::DoFHandler<3>>(triangulation)) {
   dofs_->distribute_dofs(element_);
-  make_constraints(control);
+  size_ = dofs_->n_dofs();
+  make_constraints();
   make_batches();
   make_thread_runs();
   collect_interfaces();
+}
+
+void MeshLevel::release_cells() {
+  dofs_.reset();
+  place_of_cell_ = {};
 }
 
 void MeshLevel::add_to_batch(const Cell& cell, int index) {

@@ -45,10 +45,18 @@ constexpr int lattice_bits = 20;
 
 class MeshLevel {
  public:
-  MeshLevel(const dealii::Triangulation<3>& triangulation, Control control);
+  MeshLevel(const dealii::Triangulation<3>& triangulation, Control control)
+      : MeshLevel(triangulation, control, triangulation.get_communicator()) {}
+  /// communicator: of the vectors, for a level that outlives its triangulation.
+  MeshLevel(const dealii::Triangulation<3>& triangulation, Control control, MPI_Comm communicator);
 
+  /// Until release_cells().
   const dealii::DoFHandler<3>& dofs() const { return *dofs_; }
-  const dealii::AffineConstraints<double>& constraints() const { return constraints_; }
+  /// For deal.II's own assembly; made anew by each call, since nothing else needs them.
+  dealii::AffineConstraints<double> constraints() const;
+  /// Gives up the cells as deal.II describes them, with dofs() and constraints(): what is left multiplies,
+  /// constrains and moves vectors. The triangulation may go too.
+  void release_cells();
   const std::shared_ptr<const dealii::Utilities::MPI::Partitioner>& partitioner() const {
     return partitioner_;
   }
@@ -62,7 +70,7 @@ class MeshLevel {
   }
   /// Faces of both interfaces of all ranks, sorted; the same on every rank.
   const std::vector<InterfaceFace>& interface_faces() const { return interface_faces_; }
-  dealii::types::global_dof_index size() const { return dofs_->n_dofs(); }
+  dealii::types::global_dof_index size() const { return size_; }
   /// Global dof of the driven plane's displacement along z; constrained under displacement control.
   dealii::types::global_dof_index driven_dof() const { return driven_dof_; }
   bool owns_driven_dof() const { return partitioner_->in_local_range(driven_dof_); }
@@ -129,18 +137,22 @@ class MeshLevel {
  private:
   /// How much of the driven plane's common displacement each unknown gets along z, and along x when tilted.
   struct DriveShares;
+  /// What nodes of both planes and hanging ones follow, whatever the control.
+  struct TiedNodes;
 
   /// Collective, in this order: driven unknown, constraints whatever the control, those of the control,
   /// layout of vectors, arrays for the kernels.
-  void make_constraints(Control control);
+  void make_constraints();
   void choose_driven_dof();
+  dealii::IndexSet relevant_dofs() const;
   /// Nodes of the driven plane follow one of them, hanging nodes their masters, whatever the control.
-  dealii::AffineConstraints<double> tie_nodes(const dealii::IndexSet& relevant);
+  TiedNodes tie_nodes(const dealii::IndexSet& relevant) const;
   /// Displacement control takes the plane's common displacement out of the unknowns; how much of it each node
-  /// gets is kept.
-  DriveShares constrain(const dealii::AffineConstraints<double>& tied, Control control);
+  /// gets is kept in `shares`.
+  dealii::AffineConstraints<double> constrain(const dealii::AffineConstraints<double>& tied,
+                                              DriveShares& shares) const;
   void make_partitioner(const dealii::IndexSet& relevant, const dealii::AffineConstraints<double>& tied);
-  void fill_arrays(const DriveShares& shares, Control control);
+  void fill_arrays(const dealii::AffineConstraints<double>& constraints, const DriveShares& shares);
   void make_batches();
   using Cell = dealii::DoFHandler<3>::active_cell_iterator;
   void add_to_batch(const Cell& cell, int index);
@@ -153,8 +165,9 @@ class MeshLevel {
 
   MPI_Comm communicator_;
   dealii::FESystem<3> element_;
+  Control control_;
   std::unique_ptr<dealii::DoFHandler<3>> dofs_;
-  dealii::AffineConstraints<double> constraints_;
+  dealii::types::global_dof_index size_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   dealii::types::global_dof_index first_owned_ = 0, driven_dof_ = dealii::numbers::invalid_dof_index;
   std::vector<int> driven_nodes_, fixed_z_;

@@ -27,6 +27,7 @@ struct AssembledSolver::Trilinos {
 
 AssembledSolver::AssembledSolver(const LinearProblem& problem)
     : problem_(problem),
+      constraints_(problem.level.constraints()),
       cells_(problem.level, problem.positions, problem.materials),
       trilinos_(std::make_unique<Trilinos>()) {
   resolve_rows();
@@ -58,8 +59,8 @@ void AssembledSolver::resolve_rows() {
   for (int k = 0; k < nodes.count(); ++k)
     for (int c = 0; c < 3; ++c) {
       const auto dof = static_cast<global_dof_index>(3 * nodes.global_node(k) + c);
-      if (!owned.is_element(dof) || !level.constraints().is_constrained(dof)) continue;
-      const auto* entries = level.constraints().get_constraint_entries(dof);
+      if (!owned.is_element(dof) || !constraints_.is_constrained(dof)) continue;
+      const auto* entries = constraints_.get_constraint_entries(dof);
       known.emplace_back(dof, entries ? *entries : Row{});
     }
   std::map<global_dof_index, Row> masters;
@@ -100,7 +101,7 @@ void AssembledSolver::make_pattern() {
       for (const auto& entry : row) written.add_index(entry.first);
   written.compress();
   dealii::TrilinosWrappers::SparsityPattern pattern(owned, owned, written, level.communicator());
-  dealii::DoFTools::make_sparsity_pattern(level.dofs(), pattern, level.constraints(), false,
+  dealii::DoFTools::make_sparsity_pattern(level.dofs(), pattern, constraints_, false,
                                           dealii::Utilities::MPI::this_mpi_process(level.communicator()));
   const auto couple = [&](const Row& one, const Row& other) {
     std::vector<global_dof_index> columns;
@@ -149,7 +150,7 @@ void AssembledSolver::assemble_bodies(const TangentField* tangent) {
           dofs[3 * v + c] = level.partitioner()->local_to_global(3 * batch.node[v][l] + c);
       for (int i = 0; i < unknowns_per_hex; ++i)
         for (int j = 0; j < unknowns_per_hex; ++j) local(i, j) = matrices[i][j][l];
-      level.constraints().distribute_local_to_global(local, dofs, trilinos_->matrix);
+      constraints_.distribute_local_to_global(local, dofs, trilinos_->matrix);
     }
   }
 }

@@ -6,6 +6,8 @@
 // Brezina, Computing 56 (1996) 179: aggregation with rigid-body modes as near-kernel.
 #pragma once
 
+#include <deal.II/lac/affine_constraints.h>
+
 #include "fem/solver/linear_solver.h"
 
 namespace asperity::fem {
@@ -33,6 +35,7 @@ class AssembledSolver : public LinearSolver {
   void assemble_interface(const std::vector<RowStiffness>& row_stiffness);
 
   LinearProblem problem_;
+  dealii::AffineConstraints<double> constraints_;
   HexOperator<double> cells_;
   std::vector<std::array<Row, 3>> row_;  ///< components of this rank's share of the contact rows, constrained
                                          ///< nodes replaced by their masters

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/solver/vector_loops.h"
+
 namespace asperity::fem {
 namespace {
-
-// Unknowns from which on the loops over vectors are worth a second thread.
-constexpr unsigned worth_threads = 20000;
 
 /// Start vector with all frequencies, of the nodes' places alone: the same on any number of ranks.
 void fill_rough(const HexOperator<float>& matrix, Vector<float>& v) {
@@ -74,23 +73,21 @@ void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const
   const double upper = largest_, lower = largest_ / range;
   const double centre = 0.5 * (upper + lower), half = 0.5 * (upper - lower), sigma = centre / half;
   double rho = 1 / sigma;
-  const unsigned n = x.locally_owned_size();
+  const int n = static_cast<int>(x.locally_owned_size());
   const float* diagonal = inverse_diagonal_.begin();
   const float* rhs = b.begin();
   float* direction = direction_.begin();
   float* values = x.begin();
   const float first = static_cast<float>(1 / centre);
   if (zero_guess) {
-#pragma omp parallel for simd schedule(static) if (n > worth_threads)
-    for (unsigned i = 0; i < n; ++i) values[i] = direction[i] = first * diagonal[i] * rhs[i];
+    for_entries(n, [=](int i) { values[i] = direction[i] = first * diagonal[i] * rhs[i]; });
   } else {
     matrix.vmult(residual_, x);
     const float* product = residual_.begin();
-#pragma omp parallel for simd schedule(static) if (n > worth_threads)
-    for (unsigned i = 0; i < n; ++i) {
+    for_entries(n, [=](int i) {
       direction[i] = first * diagonal[i] * (rhs[i] - product[i]);
       values[i] += direction[i];
-    }
+    });
   }
   for (int k = 1; k < degree; ++k) {
     const double next = 1 / (2 * sigma - rho);
@@ -98,11 +95,10 @@ void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const
     rho = next;
     matrix.vmult(residual_, x);
     const float* product = residual_.begin();
-#pragma omp parallel for simd schedule(static) if (n > worth_threads)
-    for (unsigned i = 0; i < n; ++i) {
+    for_entries(n, [=](int i) {
       direction[i] = keep * direction[i] + step * diagonal[i] * (rhs[i] - product[i]);
       values[i] += direction[i];
-    }
+    });
   }
 }
 

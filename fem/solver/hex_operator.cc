@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/error.h"
+#include "fem/solver/vector_loops.h"
 
 namespace asperity::fem {
 
@@ -133,19 +134,21 @@ void HexOperator<Number>::forces_of(int index, HexStrain<Simd<Number>>& strain,
 }
 
 template <typename Number>
-void HexOperator<Number>::vmult(Vector<Number>& dst, const Vector<Number>& src) const {
+void HexOperator<Number>::multiply(Parts parts, Vector<Number>& dst, const Vector<Number>& src) const {
   const bool parallel = level_.partitioner()->n_mpi_processes() > 1;
   if (parallel) src.update_ghost_values();
   // Constrained entries of a vector carry no information of their own: they are slaves of the free ones.
   Number* x = const_cast<Number*>(src.begin());
   lines_ ? lines_->distribute(x) : level_.distribute(x);
-  dst = Number(0);
-  if (parallel) dst.zero_out_ghost_values();
   Number* y = dst.begin();
-  level_.for_each_run([&](const int* first, const int* last) { apply_run(first, last, x, y); });
-  if (interface_) interface_->apply(x, y);
-  if (driven_spring_ != 0 && level_.owns_driven_dof())
-    y[level_.local_driven_dof()] += driven_spring_ * x[level_.local_driven_dof()];
+  for_entries(static_cast<int>(positions_.size()), [=](int i) { y[i] = 0; });  // ghosts too
+  if (parts != Parts::contact)
+    level_.for_each_run([&](const int* first, const int* last) { apply_run(first, last, x, y); });
+  if (parts != Parts::bodies) {
+    if (interface_) interface_->apply(x, y);
+    if (driven_spring_ != 0 && level_.owns_driven_dof())
+      y[level_.local_driven_dof()] += driven_spring_ * x[level_.local_driven_dof()];
+  }
   lines_ ? lines_->condense(y) : level_.condense(y);
   if (parallel) {
     dst.compress(dealii::VectorOperation::add);

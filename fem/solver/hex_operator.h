@@ -42,7 +42,14 @@ class HexOperator {
   void set_part(std::vector<char> batches);
 
   /// dst = (C^T (K + G^T E G) C) src.
-  void vmult(Vector<Number>& dst, const Vector<Number>& src) const;
+  void vmult(Vector<Number>& dst, const Vector<Number>& src) const { multiply(Parts::all, dst, src); }
+  /// The same without the bodies (K = 0), and of the bodies alone (no interface, no spring).
+  void vmult_of_contact(Vector<Number>& dst, const Vector<Number>& src) const {
+    multiply(Parts::contact, dst, src);
+  }
+  void vmult_of_bodies(Vector<Number>& dst, const Vector<Number>& src) const {
+    multiply(Parts::bodies, dst, src);
+  }
   /// The same: the matrix is symmetric.
   void Tvmult(Vector<Number>& dst, const Vector<Number>& src) const { vmult(dst, src); }
   /// Diagonal of the condensed operator without plastic tangents, 1 at constrained unknowns. The bodies' part
@@ -63,6 +70,8 @@ class HexOperator {
   const std::vector<Number>& positions() const { return positions_; }
 
  private:
+  enum class Parts { all, bodies, contact };
+  void multiply(Parts parts, Vector<Number>& dst, const Vector<Number>& src) const;
   void find_bulk_diagonal() const;
   bool yields(int batch) const { return tangent_ && !tangent_->batch.empty() && tangent_->batch[batch]; }
   void apply_batch(int batch, const Number* x, Number* y) const;

@@ -35,7 +35,7 @@ class Multigrid {
   void update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
               double driven_spring);
 
-  /// dst = approximate inverse times src.
+  /// dst = approximate inverse times src, which is 0 at constrained unknowns; dst is unspecified there.
   void vmult(Vector<double>& dst, const Vector<double>& src) const;
 
   int levels() const { return static_cast<int>(level_.size()); }
@@ -50,13 +50,20 @@ class Multigrid {
     std::unique_ptr<LevelTransfer> transfer;  ///< from the next coarser level
     mutable Vector<float> solution, defect, scratch;
   };
+  void find_coarse_unknowns();
   void cycle(int level) const;
+  /// Of the coarsest level's matrix that `multiply` stands for: columns of some of its free unknowns, in
+  /// their places.
+  template <typename Multiply>
+  Eigen::MatrixXd coarse_columns(const std::vector<int>& of, const Multiply& multiply) const;
   void factor_coarsest();
   void solve_coarsest() const;
 
-  std::vector<std::unique_ptr<meshing::Triangulation>> forests_;
   std::vector<Level> level_;  ///< coarsest first
   std::vector<dealii::types::global_dof_index> coarse_free_;
+  std::vector<int> coarse_at_contact_;  ///< of these, numbers of those that move the interface or the drive
+  double roll_ = 0;                     ///< [rad]
+  Eigen::MatrixXd coarse_bodies_;       ///< of the bodies alone [N/m]; empty: to be made
   Eigen::LLT<Eigen::MatrixXd> coarse_factor_;
 };
 
