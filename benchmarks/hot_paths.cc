@@ -109,12 +109,11 @@ template <typename Number>
 void triad(benchmark::State& state) {
   const Vector<Number> x = scene->sample<Number>(), z = x;
   Vector<Number> y = scene->vector<Number>();
-  const long n = static_cast<long>(scene->unknowns());
+  const int n = static_cast<int>(scene->unknowns());
   const Number *a = x.begin(), *b = z.begin();
   Number* c = y.begin();
   for (auto _ : state) {
-#pragma omp parallel for schedule(static)
-    for (long i = 0; i < n; ++i) c[i] = a[i] + Number(0.3) * b[i];
+    for_entries(n, [=](int i) { c[i] = a[i] + Number(0.3) * b[i]; });
     benchmark::ClobberMemory();
   }
   count(state, scene->unknowns(), 3 * sizeof(Number) * scene->unknowns());

@@ -1,7 +1,6 @@
 #include "benchmarks/solve_in_child.h"
 
 #include <deal.II/base/mpi.h>
-#include <omp.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,7 +22,6 @@ double solve_in_child(const CaseInput& input, const std::filesystem::path& folde
       int argc = 0;
       char** argv = nullptr;
       const dealii::Utilities::MPI::MPI_InitFinalize session(argc, argv, static_cast<unsigned>(threads));
-      omp_set_num_threads(threads);
       SolveOptions options;
       options.output = folder;
       options.progress = [](const std::string& line) {

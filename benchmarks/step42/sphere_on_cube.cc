@@ -8,7 +8,6 @@
 // cube's sides are free, while the tutorial's slide in their planes (its variant step_42_free_sides does not
 // hold them either); elements have mean dilatation.
 #include <deal.II/base/mpi.h>
-#include <omp.h>
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -108,7 +107,6 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     const dealii::Utilities::MPI::MPI_InitFinalize session(argc, argv, static_cast<unsigned>(threads));
-    omp_set_num_threads(threads);
     solve(spacing, layers, talk);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sphere_on_cube: %s\n", error.what());

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <mutex>
 #include <string>
 
 #include "core/error.h"
@@ -24,7 +25,7 @@ class StepFailures {
     try {
       work();
     } catch (const StepFailure& failure) {
-#pragma omp critical(step_failures)
+      const std::lock_guard<std::mutex> lock(mutex_);
       first_ = failure.what();
     }
   }
@@ -36,6 +37,7 @@ class StepFailures {
   }
 
  private:
+  std::mutex mutex_;
   std::string first_;
 };
 

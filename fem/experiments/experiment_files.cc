@@ -1,5 +1,5 @@
 // What an experiment writes: the row of each step, its checkpoint, the result.
-#include <omp.h>
+#include <deal.II/base/multithread_info.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -135,7 +135,7 @@ void ContactExperiment::write_result() {
       dealii::Utilities::MPI::sum(static_cast<double>(usage.ru_maxrss) * 1024, MPI_COMM_WORLD);
   summary.wall_time = wall_time();
   summary.ranks = ranks_;
-  summary.threads = omp_get_max_threads();
+  summary.threads = static_cast<int>(dealii::MultithreadInfo::n_threads());
   summary.cells = most_cells_;
   summary.unknowns = most_unknowns_;
   summary.contact_nodes = static_cast<long>(system_->rows().size());

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <numeric>
 
+#include "core/threads.h"
+
 namespace asperity::fem {
 namespace {
 
-// Threads are worth waking for some ten microseconds of work.
-constexpr int nodes_worth_threads = 3000;
+// Some microseconds of work.
+constexpr int nodes_of_a_part = 1000;
 
 }  // namespace
 
@@ -107,13 +109,13 @@ void ConstraintLines::Part::NodeSums::add(int place, const Number* values, Numbe
 
 template <typename Number>
 void ConstraintLines::Part::distribute(Number* x) const {
-  const int nodes = static_cast<int>(hanging_.node.size());
-#pragma omp parallel for schedule(static) if (nodes > nodes_worth_threads)
-  for (int k = 0; k < nodes; ++k) {
-    Number sum[3] = {0, 0, 0};
-    hanging_.add(k, x, sum);
-    for (int c = 0; c < 3; ++c) x[3 * static_cast<std::ptrdiff_t>(hanging_.node[k]) + c] = sum[c];
-  }
+  for_parts(static_cast<int>(hanging_.node.size()), nodes_of_a_part, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      Number sum[3] = {0, 0, 0};
+      hanging_.add(k, x, sum);
+      for (int c = 0; c < 3; ++c) x[3 * static_cast<std::ptrdiff_t>(hanging_.node[k]) + c] = sum[c];
+    }
+  });
   for (const int line : single_) {
     Number sum = 0;
     for (int e = all_->start_[line]; e < all_->start_[line + 1]; ++e)
@@ -130,21 +132,18 @@ void ConstraintLines::Part::condense(Number* y) const {
       y[all_->free_[e]] += static_cast<Number>(all_->weight_[e]) * value;
     value = 0;
   }
-  const int nodes = static_cast<int>(hanging_.node.size()),
-            masters = static_cast<int>(receiving_.node.size());
-#pragma omp parallel if (nodes > nodes_worth_threads)
-  {
-#pragma omp for schedule(static)
-    for (int k = 0; k < masters; ++k) {
+  for_parts(static_cast<int>(receiving_.node.size()), nodes_of_a_part, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
       Number* target = y + 3 * static_cast<std::ptrdiff_t>(receiving_.node[k]);
       Number sum[3] = {target[0], target[1], target[2]};
       receiving_.add(k, y, sum);
       for (int c = 0; c < 3; ++c) target[c] = sum[c];
     }
-#pragma omp for schedule(static)
-    for (int k = 0; k < nodes; ++k)
+  });
+  for_parts(static_cast<int>(hanging_.node.size()), nodes_of_a_part, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
       for (int c = 0; c < 3; ++c) y[3 * static_cast<std::ptrdiff_t>(hanging_.node[k]) + c] = 0;
-  }
+  });
 }
 
 template void ConstraintLines::Part::distribute(double*) const;

@@ -1,10 +1,10 @@
 #include "fem/levels/mesh_level.h"
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/multithread_info.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/tria_accessor.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +142,7 @@ void MeshLevel::make_thread_runs() {
   std::vector<int> left(batches_.size());
   std::iota(left.begin(), left.end(), 0);
   for (int axis = 0; axis < 3 && left.size() >= worth_threads; ++axis)
-    left = add_round(left, omp_get_max_threads(), axis);
+    left = add_round(left, static_cast<int>(dealii::MultithreadInfo::n_threads()), axis);
   if (!left.empty()) add_round(left, 1, 0);
 }
 

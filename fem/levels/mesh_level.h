@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/threads.h"
 #include "fem/cells/simd.h"
 #include "fem/levels/cell_materials.h"
 #include "fem/levels/constraint_lines.h"
@@ -120,10 +121,10 @@ class MeshLevel {
   template <typename Work>
   void for_each_run(const Work& work) const {
     for (const auto& round : rounds_) {
-      const int runs = static_cast<int>(round.size()) - 1;
-#pragma omp parallel for schedule(static, 1) if (runs > 1)
-      for (int run = 0; run < runs; ++run)
-        work(ordered_batches_.data() + round[run], ordered_batches_.data() + round[run + 1]);
+      const int* batches = ordered_batches_.data();
+      for_parts(static_cast<int>(round.size()) - 1, 1, [&](int run, int end) {
+        for (; run < end; ++run) work(batches + round[run], batches + round[run + 1]);
+      });
     }
   }
   /// The same, one by one.

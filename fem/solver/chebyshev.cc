@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/solver/vector_loops.h"
+#include "core/threads.h"
 
 namespace asperity::fem {
 namespace {

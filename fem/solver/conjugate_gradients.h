@@ -8,9 +8,9 @@
 
 #include <cmath>
 
+#include "core/threads.h"
 #include "fem/levels/mesh_level.h"
 #include "fem/solver/linear_solver.h"
-#include "fem/solver/vector_loops.h"
 
 namespace asperity::fem {
 

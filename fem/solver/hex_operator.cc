@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "core/error.h"
-#include "fem/solver/vector_loops.h"
+#include "core/threads.h"
 
 namespace asperity::fem {
 

@@ -9,9 +9,13 @@
 #include <unordered_map>
 
 #include "core/error.h"
+#include "core/threads.h"
 
 namespace asperity::fem {
 namespace {
+
+// Some microseconds of work.
+constexpr int nodes_of_a_part = 2000;
 
 using dealii::types::global_dof_index;
 
@@ -188,14 +192,14 @@ void LevelTransfer::prolongate_and_add(Vector<float>& fine, const Vector<float>&
     values = buffer_.begin();
   }
   float* x = fine.begin();
-  const int count = static_cast<int>(fine_node_.size());
-#pragma omp parallel for schedule(static) if (count > 10000)
-  for (int r = 0; r < count; ++r) {
-    float sum[3] = {0, 0, 0};
-    for (int e = rows_.start[r]; e < rows_.start[r + 1]; ++e)
-      for (int c = 0; c < 3; ++c) sum[c] += rows_.weight[e] * values[3 * rows_.column[e] + c];
-    for (int c = 0; c < 3; ++c) x[3 * fine_node_[r] + c] += sum[c];
-  }
+  for_parts(static_cast<int>(fine_node_.size()), nodes_of_a_part, [&](int first, int last) {
+    for (int r = first; r < last; ++r) {
+      float sum[3] = {0, 0, 0};
+      for (int e = rows_.start[r]; e < rows_.start[r + 1]; ++e)
+        for (int c = 0; c < 3; ++c) sum[c] += rows_.weight[e] * values[3 * rows_.column[e] + c];
+      for (int c = 0; c < 3; ++c) x[3 * fine_node_[r] + c] += sum[c];
+    }
+  });
   if (parallel_) buffer_.zero_out_ghost_values();
 }
 
@@ -203,14 +207,14 @@ void LevelTransfer::restrict_to(Vector<float>& coarse, const Vector<float>& fine
   Vector<float>& target = parallel_ ? buffer_ : coarse;
   const float* r = fine.begin();
   float* y = target.begin();
-  const int nodes = static_cast<int>(transposed_.start.size()) - 1;
-#pragma omp parallel for schedule(static) if (nodes > 10000)
-  for (int n = 0; n < nodes; ++n) {
-    float sum[3] = {0, 0, 0};
-    for (int e = transposed_.start[n]; e < transposed_.start[n + 1]; ++e)
-      for (int c = 0; c < 3; ++c) sum[c] += transposed_.weight[e] * r[3 * transposed_.column[e] + c];
-    for (int c = 0; c < 3; ++c) y[3 * n + c] = sum[c];
-  }
+  for_parts(static_cast<int>(transposed_.start.size()) - 1, nodes_of_a_part, [&](int first, int last) {
+    for (int n = first; n < last; ++n) {
+      float sum[3] = {0, 0, 0};
+      for (int e = transposed_.start[n]; e < transposed_.start[n + 1]; ++e)
+        for (int c = 0; c < 3; ++c) sum[c] += transposed_.weight[e] * r[3 * transposed_.column[e] + c];
+      for (int c = 0; c < 3; ++c) y[3 * n + c] = sum[c];
+    }
+  });
   if (parallel_) {
     buffer_.compress(dealii::VectorOperation::add);
     coarse = 0.0f;

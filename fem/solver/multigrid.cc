@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "fem/solver/smoothed_part.h"
-#include "fem/solver/vector_loops.h"
 
 namespace asperity::fem {
 Multigrid::Multigrid(const meshing::ContactMeshOptions& options, const MeshLevel& finest, Control control,

@@ -1,7 +1,9 @@
 // A step of both bodies on trial: what it stores, dissipates and makes of the history.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/threads.h"
 #include "fem/solver/batch_materials.h"
 #include "fem/solver/load_step_error.h"
 #include "fem/solver/plastic_bodies.h"
@@ -123,13 +125,18 @@ inline void PlasticBodies::try_batch(int index, const double* u_before, const do
 
 BodyEnergies PlasticBodies::try_step(const Vector<double>& u_before, const Vector<double>& u,
                                      double force_change) {
-  const int count = static_cast<int>(level_.batches().size());
-  StepSums sums;
+  constexpr int block = 64;
+  const int count = static_cast<int>(level_.batches().size()), blocks = (count + block - 1) / block;
+  std::vector<StepSums> sums_of_block(blocks);  // so that they are the same on any number of threads
   StepFailures failures;
-#pragma omp declare reduction(merge:StepSums : omp_out.add(omp_in))
-#pragma omp parallel for schedule(static) reduction(merge : sums)
-  for (int index = 0; index < count; ++index) try_batch(index, u_before.begin(), u.begin(), failures, sums);
+  for_parts(blocks, 1, [&](int b, int end) {
+    for (; b < end; ++b)
+      for (int index = b * block; index < std::min(count, (b + 1) * block); ++index)
+        try_batch(index, u_before.begin(), u.begin(), failures, sums_of_block[b]);
+  });
   failures.throw_on_all(level_.communicator());
+  StepSums sums;
+  for (const StepSums& part : sums_of_block) sums.add(part);
   return of_all_ranks(sums, force_change);
 }
 

@@ -1,6 +1,6 @@
 // Batches of cells that threads may write at the same time.
+#include <deal.II/base/multithread_info.h>
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <map>
 #include <mutex>
@@ -28,10 +28,10 @@ std::vector<std::vector<int>> runs_of(const fem::MeshLevel& level) {
 }
 
 TEST(ThreadRuns_analytic, no_two_threads_write_a_node_and_few_batches_wait) {
-  const int before = omp_get_max_threads();
+  const unsigned before = dealii::MultithreadInfo::n_threads();
   double most_waiting = 0;
   for (const int threads : {2, 3, 4}) {
-    omp_set_num_threads(threads);
+    dealii::MultithreadInfo::set_thread_limit(static_cast<unsigned>(threads));
     const fem::CaseSetup setup = fem::set_up(test::sphere_on_silicon("smooth", "smooth", 20e-9, 0));
     fem::ContactSystem system(MPI_COMM_WORLD, setup.system);
     const fem::MeshLevel& level = system.level();
@@ -54,7 +54,7 @@ TEST(ThreadRuns_analytic, no_two_threads_write_a_node_and_few_batches_wait) {
     most_waiting = std::max(most_waiting, static_cast<double>(runs.back().size()) /
                                               static_cast<double>(level.batches().size()) / (threads - 1));
   }
-  omp_set_num_threads(before);
+  dealii::MultithreadInfo::set_thread_limit(before);
   EXPECT_TRUE((test::Verified{"Meshes", "cell batches that wait for each further thread",
                               "batches in slabs of equal number"}
                    .below(100 * most_waiting, 5, "%")));

@@ -10,7 +10,9 @@
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that long tests show how far they are
   testing::InitGoogleTest(&argc, argv);
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (!std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(std::min(2, omp_get_num_procs()));
+  const int threads =
+      std::getenv("OMP_NUM_THREADS") ? omp_get_max_threads() : std::min(2, omp_get_num_procs());
+  omp_set_num_threads(threads);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, static_cast<unsigned>(threads));
   return RUN_ALL_TESTS();
 }

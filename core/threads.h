@@ -1,0 +1,60 @@
+// Loops that threads share: those of Intel's TBB, which deal.II uses too, so that there is one pool of them.
+//
+// A thread that comes late, since it slept or another process has its core, finds its share taken over: a
+// shared loop is never slower than its serial form by more than a microsecond. OpenMP's threads wait for each
+// other instead: some 50 us a loop where they sleep in between, and many times the loop where they spin and
+// another process has a core.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace asperity {
+
+/// Calls work(first, last) for parts of 0, ..., count - 1, of `grain` members or more where there are so
+/// many.
+template <typename Work>
+inline void for_parts(int count, int grain, const Work& work) {
+  if (count <= grain) {
+    if (count > 0) work(0, count);
+    return;
+  }
+  tbb::parallel_for(tbb::blocked_range<int>(0, count, grain),
+                    [&](const tbb::blocked_range<int>& part) { work(part.begin(), part.end()); });
+}
+
+/// Calls work(i) for each entry; the calls must not depend on each other.
+template <typename Work>
+inline void for_entries(int count, const Work& work) {
+  constexpr int grain = 8192;
+  for_parts(count, grain, [&](int first, int last) {
+    const Work own = work;  // in registers: what entries are written to cannot change it
+#pragma omp simd
+    for (int i = first; i < last; ++i) own(i);
+  });
+}
+
+/// The sum of value(i), which may change entry i on its way; the same on any number of threads.
+template <typename Value>
+inline double sum_over_entries(int count, const Value& value) {
+  constexpr int block = 4096, grain = 2;
+  const int blocks = (count + block - 1) / block;
+  std::vector<double> sum_of_block(static_cast<std::size_t>(blocks));
+  for_parts(blocks, grain, [&](int first, int last) {
+    const Value own = value;
+    for (int b = first; b < last; ++b) {
+      const int end = std::min(count, (b + 1) * block);
+      double sum = 0;
+#pragma omp simd reduction(+ : sum)
+      for (int i = b * block; i < end; ++i) sum += own(i);
+      sum_of_block[static_cast<std::size_t>(b)] = sum;
+    }
+  });
+  return std::accumulate(sum_of_block.begin(), sum_of_block.end(), 0.0);
+}
+
+}  // namespace asperity
