@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "fem/levels/mesh_level.h"
 
@@ -18,10 +19,6 @@ dealii::IndexSet boundary_dofs(const dealii::DoFHandler<3>& dofs, unsigned id, i
   dealii::ComponentMask mask(3, false);
   mask.set(component, true);
   return dealii::DoFTools::extract_boundary_dofs(dofs, mask, {static_cast<dealii::types::boundary_id>(id)});
-}
-
-void add_node(dealii::IndexSet& set, global_dof_index dof) {
-  set.add_range(dof - dof % 3, dof - dof % 3 + 3);
 }
 
 }  // namespace
@@ -126,11 +123,18 @@ dealii::AffineConstraints<double> MeshLevel::constrain(const dealii::AffineConst
 void MeshLevel::make_partitioner(const dealii::IndexSet& relevant,
                                  const dealii::AffineConstraints<double>& tied) {
   // The masters of constraints must be at hand wherever the constrained node is.
-  dealii::IndexSet needed = relevant;
+  std::set<global_dof_index>
+      others;  // in order: a set of indices takes time for each that it gets among them
+  const auto add_node_of = [&](global_dof_index dof) {
+    if (relevant.is_element(dof)) return;
+    for (global_dof_index c = 0; c < 3; ++c) others.insert(dof - dof % 3 + c);
+  };
   for (const auto& line : tied.get_lines()) {
-    add_node(needed, line.index);
-    for (const auto& entry : line.entries) add_node(needed, entry.first);
+    add_node_of(line.index);
+    for (const auto& entry : line.entries) add_node_of(entry.first);
   }
+  dealii::IndexSet needed = relevant;
+  needed.add_indices(others.begin(), others.end());
   needed.compress();
   partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(dofs_->locally_owned_dofs(), needed,
                                                                        communicator_);

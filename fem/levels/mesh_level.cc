@@ -138,7 +138,7 @@ std::vector<int> MeshLevel::add_round(const std::vector<int>& batches, int runs,
 
 void MeshLevel::make_thread_runs() {
   // What meets across the slabs of one axis is a layer, of which slabs along the next axis leave a line.
-  constexpr std::size_t worth_threads = 200;
+  constexpr std::size_t worth_threads = 40;
   std::vector<int> left(batches_.size());
   std::iota(left.begin(), left.end(), 0);
   for (int axis = 0; axis < 3 && left.size() >= worth_threads; ++axis)

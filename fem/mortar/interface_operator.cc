@@ -2,88 +2,66 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
-#include <type_traits>
-#include <unordered_map>
+#include <numeric>
 
-#include "core/error.h"
+#include "core/threads.h"
 
 namespace asperity::fem {
 namespace {
 
-/// Finds the face of a level that holds a lattice site.
-class FaceFinder {
- public:
-  explicit FaceFinder(const std::vector<InterfaceFace>& faces) : faces_(faces) {
-    std::set<int> sizes;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      sizes.insert(faces[f].size);
-      by_corner_[key(faces[f].body, faces[f].i, faces[f].j, faces[f].size)] = static_cast<int>(f);
-    }
-    sizes_.assign(sizes.begin(), sizes.end());
-  }
-  const InterfaceFace& at(const InterfaceNodes::Site& site) const {
-    constexpr int end = 1 << lattice_bits;
-    const int i = std::min(site.i, end - 1), j = std::min(site.j, end - 1);
-    for (const int size : sizes_) {
-      const auto face = by_corner_.find(key(site.body, i & ~(size - 1), j & ~(size - 1), size));
-      if (face != by_corner_.end()) return faces_[face->second];
-    }
-    throw WorkError("an interface node lies on no face of a coarser mesh; this is an error of the program");
-  }
-
- private:
-  static std::uint64_t key(int body, int i, int j, int size) {
-    int log = 0;
-    while ((1 << log) < size) ++log;
-    return (((static_cast<std::uint64_t>(body) << 5 | log) << 24 | i) << 24) | j;
-  }
-  const std::vector<InterfaceFace>& faces_;
-  std::unordered_map<std::uint64_t, int> by_corner_;
-  std::vector<int> sizes_;
-};
+// Some microseconds of work.
+constexpr int grain_of_rows = 128, grain_of_nodes = 64;
 
 }  // namespace
-
 InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows,
                                      const InterfaceNodes& fine_nodes)
-    : level_(level), nodes_(level), touched_(nodes_.only({})) {
+    : level_(level),
+      nodes_(level),
+      finder_(std::make_shared<const FaceFinder>(level.interface_faces(), nodes_)),
+      touched_(nodes_.only({})) {
   set_rows(rows, fine_nodes);
 }
 
+InterfaceOperator::Entries InterfaceOperator::entries_of(const GapRow& row,
+                                                         const InterfaceNodes& fine_nodes) const {
+  Entries merged;
+  for (const auto& [fine_node, weight] : row.entries) {
+    const auto& site = fine_nodes.site(fine_node);
+    const FaceFinder::Face& face = finder_->at(site);
+    const double s = static_cast<double>(site.i - face.i) / face.size,
+                 t = static_cast<double>(site.j - face.j) / face.size;
+    const double shape[4] = {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
+    for (int v = 0; v < 4; ++v) {
+      if (shape[v] == 0) continue;
+      const int column = face.node[v];
+      const auto known =
+          std::find_if(merged.begin(), merged.end(), [&](const auto& e) { return e.first == column; });
+      if (known == merged.end())
+        merged.emplace_back(column, weight * shape[v]);
+      else
+        known->second += weight * shape[v];
+    }
+  }
+  return merged;
+}
+
 void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes) {
-  const FaceFinder finder(level_.interface_faces());
+  constexpr int grain = 64;
+  std::vector<Entries> entries(rows.size());
+  for_parts(static_cast<int>(rows.size()), grain, [&](int row, int end) {
+    for (; row < end; ++row) entries[row] = entries_of(rows[row], fine_nodes);
+  });
   start_.assign(1, 0);
   column_.clear();
-  std::vector<double> weights;
-  std::vector<std::pair<int, double>> merged;
-  for (const auto& row : rows) {
-    merged.clear();
-    for (const auto& [fine_node, weight] : row.entries) {
-      const auto& site = fine_nodes.site(fine_node);
-      const InterfaceFace& face = finder.at(site);
-      const double s = static_cast<double>(site.i - face.i) / face.size,
-                   t = static_cast<double>(site.j - face.j) / face.size;
-      const double shape[4] = {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
-      for (int v = 0; v < 4; ++v) {
-        if (shape[v] == 0) continue;
-        const int column = nodes_.index(face.node[v]);
-        const auto known =
-            std::find_if(merged.begin(), merged.end(), [&](const auto& e) { return e.first == column; });
-        if (known == merged.end())
-          merged.emplace_back(column, weight * shape[v]);
-        else
-          known->second += weight * shape[v];
-      }
-    }
-    for (const auto& [column, weight] : merged) {
+  auto& weight = std::get<std::vector<double>>(weights_);
+  weight.clear();
+  for (const Entries& row : entries) {
+    for (const auto& [column, share] : row) {
       column_.push_back(column);
-      weights.push_back(weight);
+      weight.push_back(share);
     }
     start_.push_back(static_cast<int>(column_.size()));
   }
-  auto& weight = std::get<std::vector<double>>(weights_);
-  weight = std::move(weights);
   std::get<std::vector<float>>(weights_).assign(weight.begin(), weight.end());
   set_slopes(rows);
   const long count = static_cast<long>(rows.size());
@@ -126,8 +104,17 @@ void InterfaceOperator::find_touched() {
   }
   touched_ = nodes_.only(touched);
   touched_column_.resize(column_.size());
+  touched_start_.assign(touched.size() + 1, 0);
   for (const int row : active_)
-    for (int e = start_[row]; e < start_[row + 1]; ++e) touched_column_[e] = place[column_[e]];
+    for (int e = start_[row]; e < start_[row + 1]; ++e)
+      ++touched_start_[(touched_column_[e] = place[column_[e]]) + 1];
+  std::partial_sum(touched_start_.begin(), touched_start_.end(), touched_start_.begin());
+  touched_row_.resize(touched_start_.back());
+  const auto& weight = std::get<std::vector<float>>(weights_);
+  std::vector<int> next(touched_start_.begin(), touched_start_.end() - 1);
+  for (std::size_t a = 0; a < active_.size(); ++a)
+    for (int e = start_[active_[a]]; e < start_[active_[a] + 1]; ++e)
+      touched_row_[next[touched_column_[e]]++] = {static_cast<int>(a), weight[e]};
 }
 
 void InterfaceOperator::set_rotation(const Rotation& rotation) {
@@ -173,39 +160,70 @@ void InterfaceOperator::sum_up() const {
   const int nodes = touched_.count();
   pairs_.assign(static_cast<std::size_t>(nodes) * nodes, {});
   const auto& weight = std::get<std::vector<float>>(weights_);
-  for (const int row : active_) {
-    const auto columns = columns_of<float>(row);
-    for (int e = start_[row]; e < start_[row + 1]; ++e)
-      for (int f = start_[row]; f < start_[row + 1]; ++f) {
-        auto& pair = pairs_[static_cast<std::size_t>(touched_column_[e]) * nodes + touched_column_[f]];
-        for (int d = 0; d < 3; ++d) pair[d] += weight[e] * weight[f] * columns[d];
+  for_parts(nodes, 1, [&](int node, int end) {
+    for (; node < end; ++node) {
+      auto* pair = pairs_.data() + static_cast<std::size_t>(node) * nodes;
+      for (int k = touched_start_[node]; k < touched_start_[node + 1]; ++k) {
+        const int row = active_[touched_row_[k].place];
+        const auto columns = columns_of<float>(row);
+        for (int f = start_[row]; f < start_[row + 1]; ++f)
+          for (int d = 0; d < 3; ++d)
+            pair[touched_column_[f]][d] += touched_row_[k].weight * weight[f] * columns[d];
       }
-  }
+    }
+  });
 }
 
 template <typename Number>
-void InterfaceOperator::add_row_forces(const std::vector<NodeValue<Number>>& moved,
-                                       std::vector<NodeValue<Number>>& forces) const {
+NodeValue<Number> InterfaceOperator::row_force(int row, const std::vector<NodeValue<Number>>& moved) const {
   const auto& weight = std::get<std::vector<Number>>(weights_);
+  const auto columns = columns_of<Number>(row);
+  NodeValue<Number> jump{};
+  for (int e = start_[row]; e < start_[row + 1]; ++e) jump += weight[e] * moved[touched_column_[e]];
+  return columns[0] * jump[0] + columns[1] * jump[1] + columns[2] * jump[2];
+}
+
+void InterfaceOperator::find_forces(Workspace<double>& work) const {
+  const auto& weight = std::get<std::vector<double>>(weights_);
+  work.forces.assign(touched_.count(), NodeValue<double>{});
   for (const int row : active_) {
-    const auto columns = columns_of<Number>(row);
-    NodeValue<Number> jump{};
-    for (int e = start_[row]; e < start_[row + 1]; ++e) jump += weight[e] * moved[touched_column_[e]];
-    const NodeValue<Number> force = columns[0] * jump[0] + columns[1] * jump[1] + columns[2] * jump[2];
-    for (int e = start_[row]; e < start_[row + 1]; ++e) forces[touched_column_[e]] += weight[e] * force;
+    const NodeValue<double> force = row_force<double>(row, work.moved);
+    for (int e = start_[row]; e < start_[row + 1]; ++e) work.forces[touched_column_[e]] += weight[e] * force;
   }
 }
 
-void InterfaceOperator::add_summed_forces(const std::vector<NodeValue<float>>& moved,
-                                          std::vector<NodeValue<float>>& forces) const {
-  const std::size_t nodes = moved.size();
-  for (std::size_t a = 0; a < nodes; ++a) {
-    const auto* pair = pairs_.data() + a * nodes;
-    NodeValue<float> force{};
-    for (std::size_t b = 0; b < nodes; ++b)
-      force += pair[b][0] * moved[b][0] + pair[b][1] * moved[b][1] + pair[b][2] * moved[b][2];
-    forces[a] += force;
-  }
+void InterfaceOperator::find_forces(Workspace<float>& work) const {
+  if (!is_summed_up_) sum_up();
+  if (!pairs_.empty()) return find_summed_forces(work);
+  work.forces.resize(touched_.count());
+  work.row_forces.resize(active_.size());
+  for_parts(static_cast<int>(active_.size()), grain_of_rows, [&](int place, int end) {
+    for (; place < end; ++place) work.row_forces[place] = row_force<float>(active_[place], work.moved);
+  });
+  for_parts(touched_.count(), grain_of_nodes, [&](int node, int end) {
+    for (; node < end; ++node) {
+      NodeValue<float> force{};
+      for (int k = touched_start_[node]; k < touched_start_[node + 1]; ++k)
+        force += touched_row_[k].weight * work.row_forces[touched_row_[k].place];
+      work.forces[node] = force;
+    }
+  });
+}
+
+void InterfaceOperator::find_summed_forces(Workspace<float>& work) const {
+  work.forces.resize(touched_.count());
+  const std::size_t nodes = work.moved.size();
+  for_parts(touched_.count(), grain_of_nodes, [&](int node, int end) {
+    for (; node < end; ++node) {
+      const auto* pair = pairs_.data() + static_cast<std::size_t>(node) * nodes;
+      NodeValue<float> force{};
+      for (std::size_t b = 0; b < nodes; ++b) {
+        const NodeValue<float>& moved = work.moved[b];
+        force += pair[b][0] * moved[0] + pair[b][1] * moved[1] + pair[b][2] * moved[2];
+      }
+      work.forces[node] = force;
+    }
+  });
 }
 
 template <typename Number>
@@ -213,16 +231,7 @@ void InterfaceOperator::apply(const Number* x, Number* y) const {
   auto& work = std::get<Workspace<Number>>(workspaces_);
   touched_.gather<Number>(x, work.moved);
   turn<Number>(touched_, work.moved, false);
-  work.forces.assign(touched_.count(), NodeValue<Number>{});
-  if constexpr (std::is_same_v<Number, float>) {
-    if (!is_summed_up_) sum_up();
-    if (pairs_.empty())
-      add_row_forces<Number>(work.moved, work.forces);
-    else
-      add_summed_forces(work.moved, work.forces);
-  } else {
-    add_row_forces<Number>(work.moved, work.forces);
-  }
+  find_forces(work);
   turn<Number>(touched_, work.forces, true);
   touched_.scatter_add<Number>(work.forces, y);
 }
@@ -257,9 +266,11 @@ std::vector<double> InterfaceOperator::jumps(const double* x, int component) con
   nodes_.gather<double>(x, moved);
   turn<double>(nodes_, moved, false);
   std::vector<double> jumps(rows(), 0.0);
-  for (int row = 0; row < rows(); ++row)
-    for (int e = start_[row]; e < start_[row + 1]; ++e)
-      jumps[row] += weight[e] * moved[column_[e]][component];
+  for_parts(rows(), grain_of_rows, [&](int row, int end) {
+    for (; row < end; ++row)
+      for (int e = start_[row]; e < start_[row + 1]; ++e)
+        jumps[row] += weight[e] * moved[column_[e]][component];
+  });
   return jumps;
 }
 

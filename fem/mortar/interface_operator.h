@@ -12,11 +12,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "fem/levels/mesh_level.h"
+#include "fem/mortar/face_finder.h"
 #include "fem/mortar/interface_nodes.h"
 #include "fem/mortar/mortar.h"
 #include "fem/mortar/rigid_motion.h"
@@ -79,6 +81,9 @@ class InterfaceOperator {
   const std::vector<int>& active() const { return active_; }
 
  private:
+  /// Columns of a row, indices of nodes_, and their weights.
+  using Entries = std::vector<std::pair<int, double>>;
+  Entries entries_of(const GapRow& row, const InterfaceNodes& fine_nodes) const;
   /// Turns the particle's values at `nodes` into the substrate's frame, or back.
   template <typename Number>
   void turn(const InterfaceNodes& nodes, std::vector<NodeValue<Number>>& values, bool back) const;
@@ -90,25 +95,33 @@ class InterfaceOperator {
   /// Whether summing up costs less for each product than the rows do.
   bool has_few_nodes() const;
   void sum_up() const;
-  /// forces += those of all rows under the jumps that `moved` makes, at touched_.
-  template <typename Number>
-  void add_row_forces(const std::vector<NodeValue<Number>>& moved,
-                      std::vector<NodeValue<Number>>& forces) const;
-  void add_summed_forces(const std::vector<NodeValue<float>>& moved,
-                         std::vector<NodeValue<float>>& forces) const;
-  /// Fields at interface nodes, kept between calls.
+  /// Fields at interface nodes, and forces of active rows, kept between calls.
   template <typename Number>
   struct Workspace {
-    std::vector<NodeValue<Number>> moved, forces;
+    std::vector<NodeValue<Number>> moved, forces, row_forces;
   };
+  /// Force of an active row under the jump that `moved` makes, at touched_.
+  template <typename Number>
+  NodeValue<Number> row_force(int row, const std::vector<NodeValue<Number>>& moved) const;
+  /// Forces of all active rows at touched_.
+  void find_forces(Workspace<double>& work) const;
+  void find_forces(Workspace<float>& work) const;
+  void find_summed_forces(Workspace<float>& work) const;
 
   const MeshLevel& level_;
   InterfaceNodes nodes_;
+  std::shared_ptr<const FaceFinder> finder_;  ///< of the level's faces
   Rotation rotation_ = asperity::fem::rotation({});
   bool turned_ = false;
   std::vector<int> start_, column_, active_;
   InterfaceNodes touched_;           ///< nodes of the active rows of all ranks
   std::vector<int> touched_column_;  ///< of active rows: column_ in touched_
+  struct RowOfNode {
+    int place;  ///< in active_
+    float weight;
+  };
+  std::vector<RowOfNode> touched_row_;  ///< rows of the touched nodes, one after the other
+  std::vector<int> touched_start_;      ///< of each its begin there, and the end
   std::vector<RowStiffness> stiffness_;
   std::vector<std::array<double, 2>> slope_;
   bool tilted_ = false;                                          ///< whether any row is

@@ -89,9 +89,11 @@ void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const Interf
 void Multigrid::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
                        double driven_spring) {
   level_.back().matrix->set_tangent(tangent);
+  for_parts(levels(), 1, [&](int l, int end) {
+    for (; l < end; ++l) level_[l].interface->set_stiffness(row_stiffness);
+  });
   for (std::size_t l = 0; l < level_.size(); ++l) {
     level_[l].matrix->set_driven_spring(driven_spring);
-    if (level_[l].interface) level_[l].interface->set_stiffness(row_stiffness);
     if (l > 0) level_[l].smoother.update(*level_[l].matrix);
   }
   factor_coarsest();
