@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 #include "core/threads.h"
+#include "fem/mortar/face_finder.h"
 
 namespace asperity::fem {
 namespace {
@@ -14,20 +16,17 @@ constexpr int grain_of_rows = 128, grain_of_nodes = 64;
 
 }  // namespace
 InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows,
-                                     const InterfaceNodes& fine_nodes)
-    : level_(level),
-      nodes_(level),
-      finder_(std::make_shared<const FaceFinder>(level.interface_faces(), nodes_)),
-      touched_(nodes_.only({})) {
+                                     const InterfaceNodes& fine_nodes, Precision precision)
+    : level_(level), precision_(precision), nodes_(level), touched_(nodes_.only({})) {
   set_rows(rows, fine_nodes);
 }
 
-InterfaceOperator::Entries InterfaceOperator::entries_of(const GapRow& row,
-                                                         const InterfaceNodes& fine_nodes) const {
+InterfaceOperator::Entries InterfaceOperator::entries_of(const GapRow& row, const InterfaceNodes& fine_nodes,
+                                                         const FaceFinder& finder) {
   Entries merged;
   for (const auto& [fine_node, weight] : row.entries) {
     const auto& site = fine_nodes.site(fine_node);
-    const FaceFinder::Face& face = finder_->at(site);
+    const FaceFinder::Face& face = finder.at(site);
     const double s = static_cast<double>(site.i - face.i) / face.size,
                  t = static_cast<double>(site.j - face.j) / face.size;
     const double shape[4] = {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
@@ -47,22 +46,25 @@ InterfaceOperator::Entries InterfaceOperator::entries_of(const GapRow& row,
 
 void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes) {
   constexpr int grain = 64;
+  const FaceFinder finder(level_.interface_faces(), nodes_);
   std::vector<Entries> entries(rows.size());
   for_parts(static_cast<int>(rows.size()), grain, [&](int row, int end) {
-    for (; row < end; ++row) entries[row] = entries_of(rows[row], fine_nodes);
+    for (; row < end; ++row) entries[row] = entries_of(rows[row], fine_nodes, finder);
   });
   start_.assign(1, 0);
+  for (const Entries& row : entries) start_.push_back(start_.back() + static_cast<int>(row.size()));
   column_.clear();
-  auto& weight = std::get<std::vector<double>>(weights_);
-  weight.clear();
-  for (const Entries& row : entries) {
-    for (const auto& [column, share] : row) {
+  column_.reserve(start_.back());
+  auto& [exact, single] = weights_;
+  exact.clear();
+  single.clear();
+  single.reserve(start_.back());
+  for (const Entries& row : entries)
+    for (const auto& [column, weight] : row) {
       column_.push_back(column);
-      weight.push_back(share);
+      single.push_back(static_cast<float>(weight));
+      if (precision_ == Precision::both) exact.push_back(weight);
     }
-    start_.push_back(static_cast<int>(column_.size()));
-  }
-  std::get<std::vector<float>>(weights_).assign(weight.begin(), weight.end());
   set_slopes(rows);
   const long count = static_cast<long>(rows.size());
   const long ranks = dealii::Utilities::MPI::n_mpi_processes(level_.communicator());
@@ -75,19 +77,17 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
 void InterfaceOperator::set_slopes(const std::vector<GapRow>& rows) {
   is_summed_up_ = false;
   slope_.clear();
-  tilted_ = false;
-  for (const auto& row : rows) {
-    slope_.push_back(row.slope);
-    tilted_ = tilted_ || row.slope[0] != 0 || row.slope[1] != 0;
-  }
+  for (const auto& row : rows)
+    if (row.slope[0] != 0 || row.slope[1] != 0) slope_.resize(rows.size());
+  for (std::size_t r = 0; r < slope_.size(); ++r) slope_[r] = rows[r].slope;
 }
 
-void InterfaceOperator::set_stiffness(const std::vector<RowStiffness>& stiffness) {
+void InterfaceOperator::set_stiffness(std::shared_ptr<const std::vector<RowStiffness>> stiffness) {
   active_.clear();
   is_summed_up_ = false;
-  stiffness_ = stiffness;
+  stiffness_ = std::move(stiffness);
   for (int r = first_row_; r < last_row_; ++r)
-    if (!stiffness[r].open()) active_.push_back(r);
+    if (!(*stiffness_)[r].open()) active_.push_back(r);
   find_touched();
 }
 
@@ -95,7 +95,7 @@ void InterfaceOperator::find_touched() {
   constexpr int untouched = -1;
   std::vector<int> place(nodes_.count(), untouched), touched;
   for (int row = 0; row < rows(); ++row)
-    if (!stiffness_[row].open())
+    if (!(*stiffness_)[row].open())
       for (int e = start_[row]; e < start_[row + 1]; ++e) place[column_[e]] = 0;
   for (int k = 0; k < nodes_.count(); ++k) {
     if (place[k] == untouched) continue;
@@ -136,8 +136,8 @@ void InterfaceOperator::turn(const InterfaceNodes& nodes, std::vector<NodeValue<
 
 template <typename Number>
 std::array<NodeValue<Number>, 3> InterfaceOperator::columns_of(int row) const {
-  const RowStiffness& k = stiffness_[row];
-  const double n[3] = {slope_[row][0], slope_[row][1], 1};
+  const RowStiffness& k = (*stiffness_)[row];
+  const double n[3] = {slope(row)[0], slope(row)[1], 1};
   const double slip[3][3] = {{k.xx, k.xy, 0}, {k.xy, k.yy, 0}, {0, 0, 0}};
   std::array<NodeValue<Number>, 3> columns{};
   for (int d = 0; d < 3; ++d)
@@ -237,11 +237,11 @@ void InterfaceOperator::apply(const Number* x, Number* y) const {
 }
 
 void InterfaceOperator::add_diagonal(double* diagonal) const {
-  const auto& weight = std::get<std::vector<double>>(weights_);
+  const auto& weight = std::get<std::vector<float>>(weights_);
   std::vector<NodeValue<double>> result(touched_.count(), NodeValue<double>{});
   for (const int row : active_) {
-    const RowStiffness& stiffness = stiffness_[row];
-    const double n[3] = {slope_[row][0], slope_[row][1], 1};
+    const RowStiffness& stiffness = (*stiffness_)[row];
+    const double n[3] = {slope(row)[0], slope(row)[1], 1};
     const double slip[3][3] = {{stiffness.xx, stiffness.xy, 0}, {stiffness.xy, stiffness.yy, 0}, {0, 0, 0}};
     double fixed[3],
         turned[3] = {};  // diagonal of the row's stiffness in the frames of the substrate and of the particle
@@ -254,7 +254,7 @@ void InterfaceOperator::add_diagonal(double* diagonal) const {
     for (int e = start_[row]; e < start_[row + 1]; ++e) {
       const int node = touched_column_[e];
       const double* k = turned_ && touched_.site(node).body == 0 ? turned : fixed;
-      for (int c = 0; c < 3; ++c) result[node][c] += k[c] * weight[e] * weight[e];
+      for (int c = 0; c < 3; ++c) result[node][c] += k[c] * static_cast<double>(weight[e] * weight[e]);
     }
   }
   touched_.scatter_add<double>(result, diagonal);
@@ -276,7 +276,7 @@ std::vector<double> InterfaceOperator::jumps(const double* x, int component) con
 
 std::vector<double> InterfaceOperator::gaps(const double* x) const {
   std::vector<double> gaps = jumps(x, 2);
-  if (!tilted_) return gaps;
+  if (slope_.empty()) return gaps;
   for (int c = 0; c < 2; ++c) {
     const std::vector<double> slips = jumps(x, c);
     for (std::size_t r = 0; r < gaps.size(); ++r) gaps[r] += slope_[r][c] * slips[r];
@@ -286,7 +286,7 @@ std::vector<double> InterfaceOperator::gaps(const double* x) const {
 
 void InterfaceOperator::add_normal_forces(const std::vector<double>& row_forces, double* y) const {
   add_forces(row_forces, y);
-  if (!tilted_) return;
+  if (slope_.empty()) return;
   std::vector<double> sideways(row_forces.size());
   for (int c = 0; c < 2; ++c) {
     for (std::size_t r = 0; r < sideways.size(); ++r) sideways[r] = slope_[r][c] * row_forces[r];

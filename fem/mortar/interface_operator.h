@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "fem/levels/mesh_level.h"
-#include "fem/mortar/face_finder.h"
 #include "fem/mortar/interface_nodes.h"
 #include "fem/mortar/mortar.h"
 #include "fem/mortar/rigid_motion.h"
@@ -34,11 +33,15 @@ struct RowStiffness {
   bool resists_slip() const { return xx != 0 || xy != 0 || yy != 0; }
 };
 
+class FaceFinder;
+
 class InterfaceOperator {
  public:
   /// rows: of the finest mesh with its node numbering `fine_nodes`; level: where displacements live.
-  InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows,
-                    const InterfaceNodes& fine_nodes);
+  /// precision: single leaves apply<float>() and add_diagonal() alone.
+  enum class Precision { both, single };
+  InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes,
+                    Precision precision = Precision::both);
 
   /// Other rows, or the same ones with other weights.
   void set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes);
@@ -53,7 +56,10 @@ class InterfaceOperator {
   int rows() const { return static_cast<int>(start_.size()) - 1; }
   const InterfaceNodes& nodes() const { return nodes_; }
   /// One for each row of the coupling.
-  void set_stiffness(const std::vector<RowStiffness>& stiffness);
+  void set_stiffness(std::shared_ptr<const std::vector<RowStiffness>> stiffness);
+  void set_stiffness(std::vector<RowStiffness> stiffness) {
+    set_stiffness(std::make_shared<const std::vector<RowStiffness>>(std::move(stiffness)));
+  }
 
   /// y += G^T E G x.
   template <typename Number>
@@ -69,7 +75,9 @@ class InterfaceOperator {
   /// y += G^T n f for forces along the rows' normals.
   void add_normal_forces(const std::vector<double>& row_forces, double* y) const;
   /// m of a row.
-  const std::array<double, 2>& slope(int row) const { return slope_[row]; }
+  std::array<double, 2> slope(int row) const {
+    return slope_.empty() ? std::array<double, 2>{} : slope_[row];
+  }
   /// Visits the entries (interface node, weight) of a row.
   template <typename Visit>
   void for_row(int row, const Visit& visit) const {
@@ -83,7 +91,7 @@ class InterfaceOperator {
  private:
   /// Columns of a row, indices of nodes_, and their weights.
   using Entries = std::vector<std::pair<int, double>>;
-  Entries entries_of(const GapRow& row, const InterfaceNodes& fine_nodes) const;
+  static Entries entries_of(const GapRow& row, const InterfaceNodes& fine_nodes, const FaceFinder& finder);
   /// Turns the particle's values at `nodes` into the substrate's frame, or back.
   template <typename Number>
   void turn(const InterfaceNodes& nodes, std::vector<NodeValue<Number>>& values, bool back) const;
@@ -109,8 +117,8 @@ class InterfaceOperator {
   void find_summed_forces(Workspace<float>& work) const;
 
   const MeshLevel& level_;
+  Precision precision_;
   InterfaceNodes nodes_;
-  std::shared_ptr<const FaceFinder> finder_;  ///< of the level's faces
   Rotation rotation_ = asperity::fem::rotation({});
   bool turned_ = false;
   std::vector<int> start_, column_, active_;
@@ -122,9 +130,8 @@ class InterfaceOperator {
   };
   std::vector<RowOfNode> touched_row_;  ///< rows of the touched nodes, one after the other
   std::vector<int> touched_start_;      ///< of each its begin there, and the end
-  std::vector<RowStiffness> stiffness_;
-  std::vector<std::array<double, 2>> slope_;
-  bool tilted_ = false;                                          ///< whether any row is
+  std::shared_ptr<const std::vector<RowStiffness>> stiffness_;
+  std::vector<std::array<double, 2>> slope_;                     ///< empty: no row is tilted
   std::tuple<std::vector<double>, std::vector<float>> weights_;  ///< the same, for both precisions
   mutable std::tuple<Workspace<double>, Workspace<float>> workspaces_;
   mutable bool is_summed_up_ = false;

@@ -79,7 +79,8 @@ void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const Interf
     if (level.interface) {
       level.interface->set_rows(rows, fine_nodes);
     } else {
-      level.interface = std::make_unique<InterfaceOperator>(*level.mesh, rows, fine_nodes);
+      level.interface = std::make_unique<InterfaceOperator>(*level.mesh, rows, fine_nodes,
+                                                            InterfaceOperator::Precision::single);
       level.matrix->set_interface(level.interface.get());
     }
     level.interface->set_rotation(rotation(motion));
@@ -89,8 +90,9 @@ void Multigrid::set_interface_rows(const std::vector<GapRow>& rows, const Interf
 void Multigrid::update(const std::vector<RowStiffness>& row_stiffness, const TangentField* tangent,
                        double driven_spring) {
   level_.back().matrix->set_tangent(tangent);
+  const auto stiffness = std::make_shared<const std::vector<RowStiffness>>(row_stiffness);
   for_parts(levels(), 1, [&](int l, int end) {
-    for (; l < end; ++l) level_[l].interface->set_stiffness(row_stiffness);
+    for (; l < end; ++l) level_[l].interface->set_stiffness(stiffness);
   });
   for (std::size_t l = 0; l < level_.size(); ++l) {
     level_[l].matrix->set_driven_spring(driven_spring);
