@@ -1,6 +1,7 @@
 # Debian 12 packages; `./quickstart` installs them.
 find_package(Threads REQUIRED)
 find_package(OpenMP REQUIRED)
+find_package(TBB REQUIRED)
 find_package(Eigen3 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

@@ -38,7 +38,7 @@ inline void for_entries(int count, const Work& work) {
   });
 }
 
-/// The sum of value(i), which may change entry i on its way; the same on any number of threads.
+/// The sum of value(i) [any unit], which may change entry i on its way; the same on any number of threads.
 template <typename Value>
 inline double sum_over_entries(int count, const Value& value) {
   constexpr int block = 4096, grain = 2;

@@ -21,45 +21,22 @@ InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<G
   set_rows(rows, fine_nodes);
 }
 
-InterfaceOperator::Entries InterfaceOperator::entries_of(const GapRow& row, const InterfaceNodes& fine_nodes,
-                                                         const FaceFinder& finder) {
-  Entries merged;
-  for (const auto& [fine_node, weight] : row.entries) {
-    const auto& site = fine_nodes.site(fine_node);
-    const FaceFinder::Face& face = finder.at(site);
-    const double s = static_cast<double>(site.i - face.i) / face.size,
-                 t = static_cast<double>(site.j - face.j) / face.size;
-    const double shape[4] = {(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
-    for (int v = 0; v < 4; ++v) {
-      if (shape[v] == 0) continue;
-      const int column = face.node[v];
-      const auto known =
-          std::find_if(merged.begin(), merged.end(), [&](const auto& e) { return e.first == column; });
-      if (known == merged.end())
-        merged.emplace_back(column, weight * shape[v]);
-      else
-        known->second += weight * shape[v];
-    }
-  }
-  return merged;
-}
-
 void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes) {
   constexpr int grain = 64;
   const FaceFinder finder(level_.interface_faces(), nodes_);
-  std::vector<Entries> entries(rows.size());
+  std::vector<FaceFinder::Entries> entries(rows.size());
   for_parts(static_cast<int>(rows.size()), grain, [&](int row, int end) {
-    for (; row < end; ++row) entries[row] = entries_of(rows[row], fine_nodes, finder);
+    for (; row < end; ++row) entries[row] = finder.entries(rows[row], fine_nodes);
   });
   start_.assign(1, 0);
-  for (const Entries& row : entries) start_.push_back(start_.back() + static_cast<int>(row.size()));
+  for (const auto& row : entries) start_.push_back(start_.back() + static_cast<int>(row.size()));
   column_.clear();
   column_.reserve(start_.back());
   auto& [exact, single] = weights_;
   exact.clear();
   single.clear();
   single.reserve(start_.back());
-  for (const Entries& row : entries)
+  for (const auto& row : entries)
     for (const auto& [column, weight] : row) {
       column_.push_back(column);
       single.push_back(static_cast<float>(weight));

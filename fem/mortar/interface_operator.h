@@ -33,8 +33,6 @@ struct RowStiffness {
   bool resists_slip() const { return xx != 0 || xy != 0 || yy != 0; }
 };
 
-class FaceFinder;
-
 class InterfaceOperator {
  public:
   /// rows: of the finest mesh with its node numbering `fine_nodes`; level: where displacements live.
@@ -89,9 +87,6 @@ class InterfaceOperator {
   const std::vector<int>& active() const { return active_; }
 
  private:
-  /// Columns of a row, indices of nodes_, and their weights.
-  using Entries = std::vector<std::pair<int, double>>;
-  static Entries entries_of(const GapRow& row, const InterfaceNodes& fine_nodes, const FaceFinder& finder);
   /// Turns the particle's values at `nodes` into the substrate's frame, or back.
   template <typename Number>
   void turn(const InterfaceNodes& nodes, std::vector<NodeValue<Number>>& values, bool back) const;

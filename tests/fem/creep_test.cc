@@ -52,7 +52,9 @@ TEST(Creep_analytic, is_of_the_ratio_of_times_alone_and_balances_energy) {
   for (std::size_t k = creep_loading; k <= last; ++k) {
     EXPECT_GT(grown(k), 0) << k;
     EXPECT_NEAR(one.at("normal_force [N]", k), 100e-6, 1e-10) << k;
-    if (k > creep_loading) EXPECT_LT(grown(k), grown(k - 1)) << k;
+    if (k > creep_loading) {
+      EXPECT_LT(grown(k), grown(k - 1)) << k;
+    }
   }
   EXPECT_GT(one.at("normal_displacement [m]", last),
             1.02 * one.at("normal_displacement [m]", creep_loading - 1));

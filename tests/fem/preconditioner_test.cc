@@ -9,21 +9,11 @@
 #include "fem/cells/hex_kernel.h"
 #include "fem/contact/contact_solver.h"
 #include "fem/solver/smoothed_part.h"
+#include "tests/fem/support/small_contact.h"
 
 namespace {
 
 using namespace asperity::fem;
-
-/// Of a smooth contact with some tens of thousands of unknowns.
-ContactSystemOptions options_of_small_contact() {
-  ContactSystemOptions o;
-  auto& s = o.mesh.sizes;
-  s.radius = 8.5e-6, s.block_half_width = 6e-6;
-  s.spacing_particle = s.spacing_substrate = 60e-9;
-  s.region_particle = 280e-9, s.region_substrate = 460e-9;
-  o.materials = {J2Material::elastic(71e9, 0.17), J2Material::elastic(179e9, 0.25)};
-  return o;
-}
 
 template <typename Number>
 Vector<Number> rough_field(const MeshLevel& level) {
@@ -95,7 +85,7 @@ TEST(SiblingPatch_behaviour, values_of_two_patches_are_those_of_their_nodes_ther
 }
 
 TEST(ParallelepipedBatches_behaviour, energies_of_a_contact_mesh_are_nearly_those_of_its_cells) {
-  ContactSystem system(MPI_COMM_WORLD, options_of_small_contact());
+  ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
   const HexOperator<float> exact(system.level(), system.positions(), system.options().materials);
   HexOperator<float> near(system.level(), system.positions(), system.options().materials);
   near.take_cells_as_parallelepipeds();
@@ -111,7 +101,7 @@ TEST(ParallelepipedBatches_behaviour, energies_of_a_contact_mesh_are_nearly_thos
 }
 
 TEST(InterfaceOperator_analytic, few_active_rows_act_as_their_jumps_and_forces) {
-  ContactSystem system(MPI_COMM_WORLD, options_of_small_contact());
+  ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
   InterfaceOperator& interface = system.interface();
   interface.set_rotation(rotation({0, 0, 0.3, 0.02}));
   std::vector<RowStiffness> stiffness(interface.rows());
@@ -135,7 +125,7 @@ TEST(InterfaceOperator_analytic, few_active_rows_act_as_their_jumps_and_forces) 
 }
 
 TEST(InterfaceOperator_analytic, many_tilted_rows_on_few_coarse_nodes_act_as_their_jumps_and_forces) {
-  ContactSystemOptions options = options_of_small_contact();
+  ContactSystemOptions options = asperity::test::small_contact();
   options.mesh.sizes.spacing_particle = options.mesh.sizes.spacing_substrate = 20e-9;
   ContactSystem system(MPI_COMM_WORLD, options);
   const auto forest = asperity::meshing::make_forest(MPI_COMM_WORLD, options.mesh, 6);
@@ -179,7 +169,7 @@ TEST(InterfaceOperator_analytic, many_tilted_rows_on_few_coarse_nodes_act_as_the
 
 TEST(ConstraintLines_other_code,
      hanging_nodes_and_planes_are_those_of_deal_ii_and_condensing_is_the_transpose) {
-  ContactSystem system(MPI_COMM_WORLD, options_of_small_contact());
+  ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
   const MeshLevel& level = system.level();
   auto free = rough_field<double>(level), whole = free, expected = free;
   level.distribute(whole.begin());
@@ -198,7 +188,7 @@ TEST(ConstraintLines_other_code,
 }
 
 TEST(HexOperator_behaviour, diagonal_follows_the_interface_when_it_changes) {
-  ContactSystem system(MPI_COMM_WORLD, options_of_small_contact());
+  ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
   InterfaceOperator& interface = system.interface();
   HexOperator<double> kept(system.level(), system.positions(), system.options().materials);
   kept.set_interface(&interface);
@@ -215,7 +205,7 @@ TEST(HexOperator_behaviour, diagonal_follows_the_interface_when_it_changes) {
 }
 
 TEST(SmoothedPart_behaviour, residuals_of_what_is_smoothed_are_those_of_the_whole_level) {
-  const ContactSystemOptions options = options_of_small_contact();
+  const ContactSystemOptions options = asperity::test::small_contact();
   ContactSystem system(MPI_COMM_WORLD, options);
   const MeshLevel& fine = system.level();
   const auto forest = asperity::meshing::make_forest(MPI_COMM_WORLD, options.mesh, 1);
