@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/threads.h"
 #include "fem/contact/rate_limited_shear.h"
 
 namespace asperity::fem {
@@ -32,18 +33,21 @@ std::array<std::vector<double>, 2> InterfaceTractions::slips(const InterfaceOper
   for (int c = 0; c < 3; ++c) displacement[c] = interface.nodes().gather(state.displacement.begin(), c);
   std::array<std::vector<double>, 2> slips;
   for (auto& component : slips) component.resize(pressure_.size());
-  for (std::size_t r = 0; r < pressure_.size(); ++r) {
-    const int own = system_.rows()[r].node;
-    auto point = system_.interface_points()[own];
-    for (int c = 0; c < 3; ++c) point[c] += displacement[c][own];
-    const auto place = turned(turn, point, radius);
-    slips[0][r] = place[0] + state.motion.x;
-    slips[1][r] = place[1] + state.motion.y;
-    interface.for_row(static_cast<int>(r), [&](int node, double weight) {
-      if (node == own) return;
-      for (int c = 0; c < 2; ++c) slips[c][r] += weight * displacement[c][node];
-    });
-  }
+  constexpr int grain = 128;
+  for_parts(static_cast<int>(pressure_.size()), grain, [&](int first, int last) {
+    for (int r = first; r < last; ++r) {
+      const int own = system_.rows()[r].node;
+      auto point = system_.interface_points()[own];
+      for (int c = 0; c < 3; ++c) point[c] += displacement[c][own];
+      const auto place = turned(turn, point, radius);
+      slips[0][r] = place[0] + state.motion.x;
+      slips[1][r] = place[1] + state.motion.y;
+      interface.for_row(r, [&](int node, double weight) {
+        if (node == own) return;
+        for (int c = 0; c < 2; ++c) slips[c][r] += weight * displacement[c][node];
+      });
+    }
+  });
   return slips;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "core/error.h"
+#include "core/threads.h"
 #include "fem/mortar/overlap.h"
 
 namespace asperity::fem {
@@ -90,6 +91,21 @@ double least_width(const std::vector<PlaneQuad>& faces) {
     width = std::min(width, box.x1 - box.x0);
   }
   return width;
+}
+
+/// The points of a face's overlaps with the substrate's. Throws WorkError where these leave a part uncovered.
+void find_overlaps(const PlaneQuad& quad, const std::vector<PlaneFace>& substrate, const FaceBins& bins,
+                   std::vector<OverlapPoint>& points) {
+  points.clear();
+  const BilinearMap map(quad);
+  bins.visit(box_of(quad), [&](int index) { add_overlap(quad, map, substrate[index], index, points); });
+  double covered = 0;
+  for (const auto& p : points) covered += p.weight;
+  const double area = area_of(quad);
+  if (std::abs(covered - area) > 1e-6 * area)
+    throw WorkError(
+        "the substrate's mesh does not cover the particle's contact region; enlarge Mesh/Contact region of "
+        "the substrate");
 }
 
 /// Gathers the rows of all nodes of the particle's side, face by face.
@@ -176,20 +192,17 @@ std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle,
   if (particle.empty()) return {};
   const std::vector<PlaneFace> near = near_faces(particle, substrate);
   const FaceBins bins(near, 2 * least_width(particle));
+  // Some hundred faces at a time: a face has a hundred points.
+  constexpr std::size_t block = 512;
+  constexpr int grain = 16;
   MortarRows rows(near);
-  std::vector<OverlapPoint> points;
-  for (const auto& quad : particle) {
-    points.clear();
-    const BilinearMap map(quad);
-    bins.visit(box_of(quad), [&](int index) { add_overlap(quad, map, near[index], index, points); });
-    double covered = 0;
-    for (const auto& p : points) covered += p.weight;
-    const double area = area_of(quad);
-    if (std::abs(covered - area) > 1e-6 * area)
-      throw WorkError(
-          "the substrate's mesh does not cover the particle's contact region; enlarge Mesh/Contact region of "
-          "the substrate");
-    rows.add_face(quad, points);
+  std::vector<std::vector<OverlapPoint>> points(block);
+  for (std::size_t start = 0; start < particle.size(); start += block) {
+    const std::size_t count = std::min(block, particle.size() - start);
+    for_parts(static_cast<int>(count), grain, [&](int first, int last) {
+      for (int q = first; q < last; ++q) find_overlaps(particle[start + q], near, bins, points[q]);
+    });
+    for (std::size_t q = 0; q < count; ++q) rows.add_face(particle[start + q], points[q]);
   }
   return rows.finish();
 }

@@ -30,9 +30,10 @@ void fill_rough(const HexOperator<float>& matrix, Vector<float>& v) {
 
 void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
   inverse_diagonal_ = matrix.diagonal();
-  for (unsigned i = 0; i < inverse_diagonal_.locally_owned_size(); ++i)
-    inverse_diagonal_.local_element(i) =
-        smoothed_.empty() || smoothed_[i / 3] ? 1.0f / inverse_diagonal_.local_element(i) : 0.0f;
+  float* inverse = inverse_diagonal_.begin();
+  const char* smoothed = smoothed_.empty() ? nullptr : smoothed_.data();
+  for_entries(static_cast<int>(inverse_diagonal_.locally_owned_size()),
+              [=](int i) { inverse[i] = !smoothed || smoothed[i / 3] ? 1.0f / inverse[i] : 0.0f; });
   if (largest_ > 0) return;
   matrix.initialize_dof_vector(residual_);
   matrix.initialize_dof_vector(direction_);

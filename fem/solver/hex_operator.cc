@@ -201,21 +201,25 @@ Vector<Number> HexOperator<Number>::diagonal() const {
   if (bulk_diagonal_.empty()) find_bulk_diagonal();
   Vector<double> diagonal(level_.partitioner());
   double* d = diagonal.begin();
-  std::copy(bulk_diagonal_.begin(), bulk_diagonal_.end(), d);
+  const double* bulk = bulk_diagonal_.data();
+  for_entries(static_cast<int>(bulk_diagonal_.size()), [=](int i) { d[i] = bulk[i]; });
   if (interface_) interface_->add_diagonal(d);
   if (driven_spring_ != 0 && level_.owns_driven_dof()) d[level_.local_driven_dof()] += driven_spring_;
   level_.condense_diagonal(d);
   diagonal.compress(dealii::VectorOperation::add);
   Vector<Number> result(level_.partitioner());
-  for (std::size_t i = 0; i < result.locally_owned_size(); ++i)
-    result.local_element(i) = static_cast<Number>(diagonal.local_element(i));
+  const int own = static_cast<int>(result.locally_owned_size());
   for (const int c : level_.constrained())
-    if (c < static_cast<int>(result.locally_owned_size())) result.local_element(c) = Number(1);
-  for (std::size_t i = 0; i < result.locally_owned_size(); ++i)
-    if (!(result.local_element(i) > 0))
-      throw WorkError(
-          "the mesh is torn between its trees on this number of processes (an error of p4est); use another "
-          "number");
+    if (c < own) d[c] = 1;
+  Number* r = result.begin();
+  const double not_positive = sum_over_entries(own, [=](int i) {
+    r[i] = static_cast<Number>(d[i]);
+    return r[i] > 0 ? 0.0 : 1.0;
+  });
+  if (not_positive > 0)
+    throw WorkError(
+        "the mesh is torn between its trees on this number of processes (an error of p4est); use another "
+        "number");
   return result;
 }
 
