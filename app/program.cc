@@ -1,15 +1,18 @@
 #include "app/program.h"
 
 #include <fcntl.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <streambuf>
 #include <string>
 #include <vector>
@@ -114,6 +117,11 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
 
 int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
   open_missing_streams();
+  // TBB does not heed what OpenMP's threads do.
+  std::optional<tbb::global_control> limit;
+  if (const char* threads = std::getenv("OMP_NUM_THREADS"))
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(std::max(1, std::atoi(threads))));
   return with_printed_output(run(argc, argv, add_commands));
 }
 

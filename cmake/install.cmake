@@ -86,7 +86,7 @@ if(TARGET asperity_python)
 endif()
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-pandas, xvfb, xauth")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libeigen3-dev, libfftw3-dev, libboost-dev, nlohmann-json3-dev, libnetcdf-dev, libpugixml-dev, libssl-dev, libzip-dev, zlib1g-dev")
+    "libeigen3-dev, libfftw3-dev, libboost-dev, nlohmann-json3-dev, libnetcdf-dev, libpugixml-dev, libssl-dev, libtbb-dev, libzip-dev, zlib1g-dev")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "rough micro-contacts by finite elements, for particle simulations
 What a rough micro-contact does (stiffness, friction, real contact area,
 pressure, plastic strain), and the parameters that a discrete element

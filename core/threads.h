@@ -10,6 +10,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -36,6 +38,27 @@ inline void for_entries(int count, const Work& work) {
 #pragma omp simd
     for (int i = first; i < last; ++i) own(i);
   });
+}
+
+/// visit(i, sums) for each entry, several at a time; it adds to `sums`, which are the same on any number of
+/// threads: over blocks, added up in their order.
+template <std::size_t N, typename Visit>
+inline std::array<double, N> sums_over(std::size_t entries, const Visit& visit) {
+  constexpr std::size_t block = 4096;
+  const auto blocks = static_cast<int>((entries + block - 1) / block);
+  std::vector<std::array<double, N>> sums_of_block(static_cast<std::size_t>(blocks));
+  for_parts(blocks, 1, [&](int first, int last) {
+    for (auto b = static_cast<std::size_t>(first); b < static_cast<std::size_t>(last); ++b) {
+      std::array<double, N> sums{};
+      const std::size_t end = std::min(entries, (b + 1) * block);
+      for (std::size_t i = b * block; i < end; ++i) visit(i, sums);
+      sums_of_block[b] = sums;
+    }
+  });
+  std::array<double, N> all{};
+  for (const auto& sums : sums_of_block)
+    for (std::size_t n = 0; n < N; ++n) all[n] += sums[n];
+  return all;
 }
 
 /// The sum of value(i) [any unit], which may change entry i on its way; the same on any number of threads.

@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
+#include "core/threads.h"
 #include "half_space/bounded_gradients.h"
-#include "half_space/sums.h"
 
 namespace asperity::half_space {
 namespace {
@@ -78,14 +78,17 @@ AdhesiveSolution AdhesiveContact::separated(const AdhesiveSolution& closer, doub
 
 /// Attraction of the gaps as they are. By how much its sum changed [N].
 double AdhesiveContact::update_attraction(AdhesiveSolution& solution) const {
+  constexpr int grain = 512;
   const Field& pressure = solution.contact.pressure;
   const Field& gap = solution.contact.gap;
-#pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < gap.size(); ++k) {
-    if (pressure[k] > 0) solution.has_touched[k] = 1;
-    const double open = std::max(0.0, gap[k]);
-    solution.attraction[k] = solution.has_touched[k] ? attraction_.opening(open) : attraction_.closing(open);
-  }
+  for_parts(static_cast<int>(gap.size()), grain, [&](int k, int end) {
+    for (; k < end; ++k) {
+      if (pressure[k] > 0) solution.has_touched[k] = 1;
+      const double open = std::max(0.0, gap[k]);
+      solution.attraction[k] =
+          solution.has_touched[k] ? attraction_.opening(open) : attraction_.closing(open);
+    }
+  });
   const double before =
       std::exchange(solution.attracting, contact_.grid().cell_area() * sum_of(solution.attraction));
   return solution.attracting - before;
@@ -112,8 +115,7 @@ void AdhesiveContact::settle(AdhesiveSolution& solution, bool by_force, double v
                       std::to_string(most_updates) + " updates; take a larger range of attraction");
     change_before = change;
     contact_.compliance().apply(solution.attraction, pulled);
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < gap.size(); ++k) gap[k] = contact_.gap()[k] - pulled[k];
+    for_entries(static_cast<int>(gap.size()), [&](int k) { gap[k] = contact_.gap()[k] - pulled[k]; });
     solution.contact.convolutions = 0;
     iterate(contact_.compliance(), gap, {by_force, by_force ? value + solution.attracting : value}, how,
             solution.contact);

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
-#include "half_space/sums.h"
+#include "core/threads.h"
 
 namespace asperity::half_space {
 namespace {
@@ -159,9 +159,9 @@ class BoundedGradients {
     const double scale = load_.by_force ? fit_to_force() : 1.0;
     constexpr int most_steps_without = 20;  // what rounding adds up in is computed anew
     if (counts[0] + counts[1] > 0 || scale == 0 || ++steps_without_ > most_steps_without) return displace();
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells_; ++k)
+    for_entries(static_cast<int>(cells_), [this, scale, length](int k) {
       displacement_[k] = scale * (displacement_[k] - length * response_[k]);
+    });
   }
 
   /// Scales the pressures between the bounds to the given force. The factor of all pressures; 0 where it is

@@ -9,6 +9,7 @@
 #include "core/hertz_separation.h"
 #include "core/quantity.h"
 #include "core/shear_moduli.h"
+#include "core/threads.h"
 #include "surfaces/surface_of_entry.h"
 
 namespace asperity::half_space {
@@ -23,14 +24,16 @@ class Surfaces {
   }
   Field gap(const Grid& grid) const {
     Field gap(grid.cells());
-#pragma omp parallel for schedule(static)
-    for (int iy = 0; iy < grid.ny; ++iy)
-      for (int ix = 0; ix < grid.nx; ++ix) {
-        const double x = grid.x(ix), y = grid.y(iy), r2 = x * x + y * y;
-        double g = r2 / (radius_ + std::sqrt(radius_ * radius_ - r2));
-        for (const auto& heights : heights_) g -= heights.height(x, y);
-        gap[static_cast<std::size_t>(iy) * grid.nx + ix] = g;
-      }
+    constexpr int rows_at_a_time = 4;
+    for_parts(grid.ny, rows_at_a_time, [&](int iy, int end) {
+      for (; iy < end; ++iy)
+        for (int ix = 0; ix < grid.nx; ++ix) {
+          const double x = grid.x(ix), y = grid.y(iy), r2 = x * x + y * y;
+          double g = r2 / (radius_ + std::sqrt(radius_ * radius_ - r2));
+          for (const auto& heights : heights_) g -= heights.height(x, y);
+          gap[static_cast<std::size_t>(iy) * grid.nx + ix] = g;
+        }
+    });
     return gap;
   }
 

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/quantity.h"
 #include "core/shear_moduli.h"
+#include "core/threads.h"
 
 namespace asperity::half_space {
 namespace {
@@ -42,15 +43,17 @@ void add_films(const Grid& grid, Boundary boundary, const std::vector<FilmOnBody
   const auto mean_over_cell = [boundary](double half) {
     return boundary == Boundary::free && half > 0 ? std::sin(half) / half : 1.0;
   };
-#pragma omp parallel for schedule(static)
-  for (int ix = 0; ix < columns; ++ix)
-    for (int iy = 0; iy < rows; ++iy) {
-      const double qx = 2 * M_PI * ix / (spectrum.mx * grid.dx), qy = 2 * M_PI * iy / (spectrum.my * grid.dy);
-      double sum = 0;
-      for (const FilmOnBody& film : films) sum += film.compliance(std::hypot(qx, qy));
-      spectrum.values[static_cast<std::size_t>(ix) * rows + iy] +=
-          scale * sum * mean_over_cell(qx * grid.dx / 2) * mean_over_cell(qy * grid.dy / 2);
-    }
+  for_parts(columns, 1, [&](int ix, int end) {
+    for (; ix < end; ++ix)
+      for (int iy = 0; iy < rows; ++iy) {
+        const double qx = 2 * M_PI * ix / (spectrum.mx * grid.dx),
+                     qy = 2 * M_PI * iy / (spectrum.my * grid.dy);
+        double sum = 0;
+        for (const FilmOnBody& film : films) sum += film.compliance(std::hypot(qx, qy));
+        spectrum.values[static_cast<std::size_t>(ix) * rows + iy] +=
+            scale * sum * mean_over_cell(qx * grid.dx / 2) * mean_over_cell(qy * grid.dy / 2);
+      }
+  });
 }
 
 /// A film is felt some thicknesses away, and on a grid less wide than eight of them its images are: 2 % of

@@ -6,8 +6,8 @@
 
 #include "core/error.h"
 #include "core/quantity.h"
+#include "core/threads.h"
 #include "half_space/bounded_gradients.h"
-#include "half_space/sums.h"
 
 namespace asperity::half_space {
 namespace {
@@ -42,16 +42,18 @@ Field refined(const Field& coarse, const Grid& fine, Boundary boundary) {
     return boundary == Boundary::periodic ? (to + n) % n : std::clamp(to, 0, n - 1);
   };
   Field result(fine.cells());
-#pragma omp parallel for schedule(static)
-  for (int j = 0; j < fine.ny; ++j) {
-    const double* own = &coarse[static_cast<std::size_t>(j / 2) * nx];
-    const double* other = &coarse[static_cast<std::size_t>(neighbour(j, ny)) * nx];
-    for (int i = 0; i < fine.nx; ++i) {
-      const int a = i / 2, b = neighbour(i, nx);
-      result[static_cast<std::size_t>(j) * fine.nx + i] =
-          0.75 * (0.75 * own[a] + 0.25 * own[b]) + 0.25 * (0.75 * other[a] + 0.25 * other[b]);
+  constexpr int rows_at_a_time = 8;
+  for_parts(fine.ny, rows_at_a_time, [&](int j, int end) {
+    for (; j < end; ++j) {
+      const double* own = &coarse[static_cast<std::size_t>(j / 2) * nx];
+      const double* other = &coarse[static_cast<std::size_t>(neighbour(j, ny)) * nx];
+      for (int i = 0; i < fine.nx; ++i) {
+        const int a = i / 2, b = neighbour(i, nx);
+        result[static_cast<std::size_t>(j) * fine.nx + i] =
+            0.75 * (0.75 * own[a] + 0.25 * own[b]) + 0.25 * (0.75 * other[a] + 0.25 * other[b]);
+      }
     }
-  }
+  });
   return result;
 }
 
@@ -151,12 +153,12 @@ double NormalContact::stiffness(const NormalContactSolution& solution) const {
     if (!(along > 0))
       return std::numeric_limits<double>::infinity();  // closed everywhere on a grid that repeats
     const double length = squares / along;
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells; ++k)
+    for_entries(static_cast<int>(cells), [&](int k) {
       if (pressure[k] > 0) traction[k] += length * direction[k], residual[k] -= length * response[k];
+    });
     const double before = std::exchange(squares, squares_of());
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells; ++k) direction[k] = residual[k] + squares / before * direction[k];
+    const double keep = squares / before;
+    for_entries(static_cast<int>(cells), [&](int k) { direction[k] = residual[k] + keep * direction[k]; });
   }
   return compliance.grid().cell_area() *
          sums_over<1>(cells, [&](std::size_t k, auto& sum) { sum[0] += traction[k]; })[0];

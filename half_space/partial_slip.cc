@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "half_space/sums.h"
+#include "core/threads.h"
 
 namespace asperity::half_space {
 namespace {
@@ -62,13 +62,11 @@ SlipState PartialSlip::at_rest() const {
 }
 
 void PartialSlip::project(Shears& traction) const {
-#pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < limit_.size(); ++k) {
+  for_entries(static_cast<int>(limit_.size()), [&](int k) {
     const double length = std::hypot(traction.x[k], traction.y[k]);
-    if (length <= limit_[k]) continue;
-    const double scale = length > 0 ? limit_[k] / length : 0;
+    const double scale = length <= limit_[k] ? 1 : length > 0 ? limit_[k] / length : 0;
     traction.x[k] *= scale, traction.y[k] *= scale;
-  }
+  });
 }
 
 SlipState PartialSlip::shifted(const SlipState& before, double x, double y) const {
@@ -84,11 +82,10 @@ SlipState PartialSlip::shifted(const SlipState& before, double x, double y) cons
                       std::to_string(most_iterations) + " iterations; take a coarser grid");
     contact_.apply(moved, image);
     last = state.traction;
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells; ++k) {
+    for_entries(static_cast<int>(cells), [&](int k) {
       state.traction.x[k] = moved.x[k] + step_ * (x - before.slip.x[k] - image.x[k]);
       state.traction.y[k] = moved.y[k] + step_ * (y - before.slip.y[k] - image.y[k]);
-    }
+    });
     project(state.traction);
     const auto sums = sums_over<3>(cells, [&](std::size_t k, auto& sum) {
       const double dx = state.traction.x[k] - last.x[k], dy = state.traction.y[k] - last.y[k];
@@ -100,11 +97,10 @@ SlipState PartialSlip::shifted(const SlipState& before, double x, double y) cons
     if (sums[0] <= close * close * sums[1]) break;
     const double next = sums[2] > 0 ? 1 : 0.5 * (1 + std::sqrt(1 + 4 * momentum * momentum)),
                  keep = sums[2] > 0 ? 0 : (momentum - 1) / next;
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells; ++k) {
+    for_entries(static_cast<int>(cells), [&](int k) {
       moved.x[k] = state.traction.x[k] + keep * (state.traction.x[k] - last.x[k]);
       moved.y[k] = state.traction.y[k] + keep * (state.traction.y[k] - last.y[k]);
-    }
+    });
     momentum = next;
   }
   measure(state, before, x, y);

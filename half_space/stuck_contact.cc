@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "half_space/sums.h"
+#include "core/threads.h"
 
 namespace asperity::half_space {
 namespace {
@@ -39,8 +39,7 @@ StuckContact::StuckContact(const Grid& grid, const ShearCompliance& compliance)
 void StuckContact::apply(const Shears& traction, Shears& shift) const {
   Field crossed;
   const auto add = [&](Field& to) {
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < to.size(); ++k) to[k] += crossed[k];
+    for_entries(static_cast<int>(to.size()), [&](int k) { to[k] += crossed[k]; });
   };
   xx_.apply(traction.x, shift.x);
   xy_.apply(traction.y, crossed);
@@ -69,19 +68,17 @@ Shears StuckContact::solve(const Field& pressure, const Shears& shift) const {
   for (int n = 0; n < most && squares > enough * enough * first; ++n) {
     apply(direction, response);
     const double length = squares / product(direction, response);
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells; ++k) {
-      if (!(pressure[k] > 0)) continue;
+    for_entries(static_cast<int>(cells), [&](int k) {
+      if (!(pressure[k] > 0)) return;
       traction.x[k] += length * direction.x[k], traction.y[k] += length * direction.y[k];
       residual.x[k] -= length * response.x[k], residual.y[k] -= length * response.y[k];
-    }
+    });
     const double before = std::exchange(squares, product(residual, residual));
     const double keep = squares / before;
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < cells; ++k) {
+    for_entries(static_cast<int>(cells), [&](int k) {
       direction.x[k] = residual.x[k] + keep * direction.x[k];
       direction.y[k] = residual.y[k] + keep * direction.y[k];
-    }
+    });
   }
   return traction;
 }

@@ -2,7 +2,7 @@
 #include "half_space/normal_contact.h"
 
 #include <gtest/gtest.h>
-#include <omp.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <limits>
@@ -193,12 +193,11 @@ TEST(HalfSpaceHardness_behaviour, a_hardness_caps_pressures_and_widens_the_conta
 
 TEST(HalfSpaceContact_behaviour, does_not_depend_on_the_number_of_threads) {
   const NormalContact contact = paraboloid(160, 1.3 * hertz.contact_radius(F));
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
-  const auto alone = contact.at_force(F);
-  omp_set_num_threads(3);
-  const auto together = contact.at_force(F);
-  omp_set_num_threads(threads);
+  const auto on_threads = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return contact.at_force(F);
+  };
+  const auto alone = on_threads(1), together = on_threads(3);
   EXPECT_EQ(alone.pressure, together.pressure);
   EXPECT_EQ(alone.approach, together.approach);
 }
