@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/threads.h"
 
 namespace asperity {
 
@@ -28,9 +29,10 @@ void with_mpi(int threads, const std::function<void()>& work) {
     // a server that ends meanwhile.
     constexpr int unless_set = 0;
     ::setenv("HWLOC_COMPONENTS", "-gl", unless_set);
-    // Ours are OpenMP threads, deal.II has its own for meshing: as many of both. deal.II knows how many cores
-    // each rank of this machine may have.
+    // What solves, and deal.II, share loops by TBB, surfaces by OpenMP: as many threads of both. deal.II
+    // knows how many cores each rank of this machine may have.
     if (threads == 0 && std::getenv("OMP_NUM_THREADS")) threads = omp_get_max_threads();
+    if (threads > 0) limit_threads(threads);
     const dealii::Utilities::MPI::MPI_InitFinalize session(
         argc, argv, threads > 0 ? static_cast<unsigned int>(threads) : dealii::numbers::invalid_unsigned_int);
     omp_set_num_threads(threads > 0 ? threads : static_cast<int>(dealii::MultithreadInfo::n_threads()));

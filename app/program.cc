@@ -1,7 +1,6 @@
 #include "app/program.h"
 
 #include <fcntl.h>
-#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -12,7 +11,6 @@
 #include <exception>
 #include <functional>
 #include <iostream>
-#include <optional>
 #include <streambuf>
 #include <string>
 #include <vector>
@@ -20,6 +18,7 @@
 #include "core/build_commit.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/threads.h"
 
 namespace asperity {
 namespace {
@@ -117,11 +116,8 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
 
 int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
   open_missing_streams();
-  // TBB does not heed what OpenMP's threads do.
-  std::optional<tbb::global_control> limit;
-  if (const char* threads = std::getenv("OMP_NUM_THREADS"))
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(std::max(1, std::atoi(threads))));
+  // As OpenMP's threads, those that share loops heed it; a case's own Solver/Threads goes before it.
+  if (const char* threads = std::getenv("OMP_NUM_THREADS")) limit_threads(std::max(1, std::atoi(threads)));
   return with_printed_output(run(argc, argv, add_commands));
 }
 

@@ -30,8 +30,9 @@ inline constexpr SolverCommand report{"report", "Write report.html for a solved 
 }  // namespace solver_commands
 
 /// For programs that are started from now on: OpenMP threads that wait for the others sleep, unless the
-/// environment says otherwise. Spinning threads of several solvers on the same cores keep each other from
-/// working (two on two cores took five times as long), and alone sleeping is no slower.
+/// environment says otherwise. Spinning threads of several programs on the same cores keep each other from
+/// working (two solvers on two cores took up to nine times as long). Waking costs some 50 us, which the few
+/// long loops that OpenMP still shares (surfaces, searches) do not feel.
 void let_threads_sleep();
 
 /// asperity-solver beside this program, or in ../libexec/asperity. Throws WorkError where it is in neither.

@@ -26,7 +26,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr double asked_seconds = 30 * 60;
+constexpr double asked_seconds = 3 * 60;
 
 /// Steps of one kind: pressing down, or moving.
 struct Phase {

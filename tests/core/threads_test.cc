@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -56,6 +57,24 @@ TEST(Threads_analytic, sums_are_the_same_on_any_number_of_threads_and_may_change
   constexpr double euler = 0.57721566490153286;  // of the harmonic series: ln n + euler + 1/2n
   EXPECT_NEAR(first, 2 * (std::log(count) + euler + 0.5 / count), 1e-9);
   EXPECT_EQ(sum_over_entries(0, [](int) { return 1.0; }), 0);
+}
+
+TEST(Threads_behaviour, a_limit_of_one_leaves_all_to_the_caller_until_it_is_lifted) {
+  const auto allowed = [] {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  };
+  const std::size_t before = allowed();
+  const auto own = std::this_thread::get_id();
+  std::atomic<bool> elsewhere{false};
+  limit_threads(1);
+  for_parts(1000, 1, [&](int, int) {
+    if (std::this_thread::get_id() != own) elsewhere = true;
+  });
+  EXPECT_FALSE(elsewhere);
+  EXPECT_EQ(allowed(), 1u);
+  constexpr int all_cores = 0;
+  limit_threads(all_cores);
+  EXPECT_EQ(allowed(), before);
 }
 
 TEST(Threads_behaviour, a_failure_of_one_part_reaches_the_caller) {
