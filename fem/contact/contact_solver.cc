@@ -25,7 +25,7 @@ ContactSolver::ContactSolver(ContactSystem& system, const ContactSolverOptions& 
       tractions_(system, options_.friction.get(), options_.adhesion, penalty_),
       prediction_(system.options().mesh.sizes.radius, system.options().mesh.sizes.region_particle),
       elastic_diagonal_(
-          HexOperator<double>(system.level(), system.positions(), system.materials()).diagonal()) {
+          HexOperator<float>(system.level(), system.positions(), system.materials()).diagonal()) {
   const auto& gaps = system.initial_gaps();
   touch_offset_ = options_.touch_offset.value_or(*std::min_element(gaps.begin(), gaps.end()));
   // Snap-in and pull-off release much energy and take many iterations.
@@ -145,7 +145,7 @@ double ContactSolver::evaluate(const ContactState& state, double target, Vector<
 double ContactSolver::force_of_rounding(const Vector<double>& displacement) const {
   double sum = 0;
   for (std::size_t i = 0; i < displacement.locally_owned_size(); ++i)
-    sum += elastic_diagonal_.local_element(i) * std::abs(displacement.local_element(i));
+    sum += static_cast<double>(elastic_diagonal_.local_element(i)) * std::abs(displacement.local_element(i));
   return std::numeric_limits<double>::epsilon() *
          dealii::Utilities::MPI::sum(sum, system_.level().communicator());
 }

@@ -162,9 +162,9 @@ class ContactSolver {
   double penalty_;             ///< eps [Pa/m]
   InterfaceTractions tractions_;
   SteadyPrediction prediction_;
-  Vector<double> elastic_diagonal_;  ///< of both bodies' stiffness [N/m]
-  double rounding_ = 0;              ///< force of rounding over the contact force, as evaluated last
-  double touch_offset_;              ///< rigid shift that brings the bodies to first touch [m]
+  Vector<float> elastic_diagonal_;  ///< of both bodies' stiffness [N/m]
+  double rounding_ = 0;             ///< force of rounding over the contact force, as evaluated last
+  double touch_offset_;             ///< rigid shift that brings the bodies to first touch [m]
 };
 
 }  // namespace asperity::fem

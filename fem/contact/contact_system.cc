@@ -19,6 +19,7 @@ ContactSystem::ContactSystem(MPI_Comm communicator, const ContactSystemOptions& 
   find_faces();
   couple();
   describe_rows();
+  level_->release_dofs();
 }
 
 void ContactSystem::describe_rows() {
@@ -102,7 +103,7 @@ void ContactSystem::couple() {
       quad.corner[v] = {p[0] + surface.x, p[1] + surface.y};
     }
   }
-  rows_ = couple_interfaces(particle, faces_[1]);
+  rows_ = couple_interfaces(particle, faces_[1], options_.tilted_normals);
   row_points_.clear();
   areas_.clear();
   elastic_.clear();

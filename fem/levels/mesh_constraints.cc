@@ -34,7 +34,7 @@ struct MeshLevel::TiedNodes {
 };
 
 void MeshLevel::make_constraints() {
-  const dealii::IndexSet& owned = dofs_->locally_owned_dofs();
+  const dealii::IndexSet& owned = dofs().locally_owned_dofs();
   first_owned_ = owned.n_elements() ? owned.nth_index_in_set(0) : 0;
   choose_driven_dof();
   const dealii::IndexSet relevant = relevant_dofs();
@@ -57,7 +57,7 @@ dealii::AffineConstraints<double> MeshLevel::constraints() const {
 
 dealii::IndexSet MeshLevel::relevant_dofs() const {
   dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
+  dealii::DoFTools::extract_locally_relevant_dofs(dofs(), relevant);
   relevant.add_range(driven_dof_ - 2, driven_dof_ + 1);
   relevant.compress();
   return relevant;
@@ -65,25 +65,25 @@ dealii::IndexSet MeshLevel::relevant_dofs() const {
 
 void MeshLevel::choose_driven_dof() {
   global_dof_index lowest = dealii::numbers::invalid_dof_index;
-  for (const auto dof : boundary_dofs(*dofs_, meshing::driven_boundary, 2))
-    if (dofs_->locally_owned_dofs().is_element(dof)) lowest = std::min(lowest, dof);
+  for (const auto dof : boundary_dofs(dofs(), meshing::driven_boundary, 2))
+    if (dofs().locally_owned_dofs().is_element(dof)) lowest = std::min(lowest, dof);
   driven_dof_ = dealii::Utilities::MPI::min(lowest, communicator_);
 }
 
 MeshLevel::TiedNodes MeshLevel::tie_nodes(const dealii::IndexSet& relevant) const {
-  const dealii::IndexSet& owned = dofs_->locally_owned_dofs();
+  const dealii::IndexSet& owned = dofs().locally_owned_dofs();
   TiedNodes result{dealii::AffineConstraints<double>(relevant), {}, {}};
   dealii::AffineConstraints<double>& tied = result.constraints;
-  dealii::DoFTools::make_hanging_node_constraints(*dofs_, tied);
+  dealii::DoFTools::make_hanging_node_constraints(dofs(), tied);
   for (int component = 0; component < 3; ++component)
-    for (const auto dof : boundary_dofs(*dofs_, meshing::fixed_boundary, component))
+    for (const auto dof : boundary_dofs(dofs(), meshing::fixed_boundary, component))
       if (!tied.is_constrained(dof)) {
         if (component == 2 && owned.is_element(dof))
           result.fixed_z.push_back(static_cast<int>(dof - first_owned_));
         tied.add_line(dof);
       }
   for (int component = 0; component < 3; ++component)
-    for (const auto dof : boundary_dofs(*dofs_, meshing::driven_boundary, component)) {
+    for (const auto dof : boundary_dofs(dofs(), meshing::driven_boundary, component)) {
       if (component == 2 && owned.is_element(dof))
         result.driven_nodes.push_back(static_cast<int>((dof - first_owned_) / 3));
       if (tied.is_constrained(dof) || dof == driven_dof_) continue;
@@ -136,7 +136,7 @@ void MeshLevel::make_partitioner(const dealii::IndexSet& relevant,
   dealii::IndexSet needed = relevant;
   needed.add_indices(others.begin(), others.end());
   needed.compress();
-  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(dofs_->locally_owned_dofs(), needed,
+  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(dofs().locally_owned_dofs(), needed,
                                                                        communicator_);
 }
 

@@ -20,17 +20,25 @@ MeshLevel::MeshLevel(const dealii::Triangulation<3>& triangulation, Control cont
     : communicator_(communicator),
       element_(dealii::FE_Q<3>(1), 3),
       control_(control),
-      dofs_(std::make_unique<dealii::DoFHandler<3>>(triangulation)) {
-  dofs_->distribute_dofs(element_);
-  size_ = dofs_->n_dofs();
+      triangulation_(&triangulation),
+      size_(dofs().n_dofs()) {
   make_constraints();
   make_batches();
   make_thread_runs();
   collect_interfaces();
 }
 
+const dealii::DoFHandler<3>& MeshLevel::dofs() const {
+  if (!dofs_) {
+    dofs_ = std::make_unique<dealii::DoFHandler<3>>(*triangulation_);
+    dofs_->distribute_dofs(element_);
+  }
+  return *dofs_;
+}
+
 void MeshLevel::release_cells() {
   dofs_.reset();
+  triangulation_ = nullptr;
   place_of_cell_ = {};
 }
 
@@ -50,14 +58,14 @@ void MeshLevel::add_to_batch(const Cell& cell, int index) {
 }
 
 void MeshLevel::make_batches() {
-  place_of_cell_.assign(dofs_->get_triangulation().n_active_cells(), -1);
+  place_of_cell_.assign(dofs().get_triangulation().n_active_cells(), -1);
   const auto children_are_here = [](const auto& parent) {
     for (unsigned c = 0; c < parent->n_children(); ++c)
       if (!parent->child(c)->is_active() || !parent->child(c)->is_locally_owned()) return false;
     return true;
   };
   int open = -1;  // the batch that single cells are added to
-  for (const auto& cell : dofs_->active_cell_iterators()) {
+  for (const auto& cell : dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     if (cell->level() > 0 && children_are_here(cell->parent())) {
       const auto parent = cell->parent();
@@ -84,7 +92,7 @@ void MeshLevel::make_batches() {
 
 void MeshLevel::take_films(const meshing::RoughGeometry& geometry, const CellMaterials& materials) {
   if (!materials.has_films()) return;
-  for (const auto& cell : dofs_->active_cell_iterators()) {
+  for (const auto& cell : dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     const auto [index, lane] = place_of(cell->active_cell_index());
     CellBatch& batch = batches_[index];
@@ -98,7 +106,7 @@ void MeshLevel::take_films(const meshing::RoughGeometry& geometry, const CellMat
 
 std::vector<int> MeshLevel::slabs_of_batches(const std::vector<int>& batches, int slabs, int axis) const {
   std::vector<double> place(batches_.size(), 0);
-  for (const auto& cell : dofs_->active_cell_iterators())
+  for (const auto& cell : dofs().active_cell_iterators())
     if (cell->is_locally_owned()) {
       const int batch = place_of_cell_[cell->active_cell_index()] / lanes;
       place[batch] += cell->center()[axis] / batches_[batch].count;
@@ -149,7 +157,7 @@ void MeshLevel::make_thread_runs() {
 void MeshLevel::collect_interfaces() {
   std::vector<InterfaceFace> own;
   std::vector<global_dof_index> indices(24);
-  for (const auto& cell : dofs_->active_cell_iterators()) {
+  for (const auto& cell : dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     for (const unsigned f : {4u, 5u}) {
       if (!cell->face(f)->at_boundary()) continue;
@@ -198,7 +206,7 @@ void MeshLevel::collect_interfaces() {
 Vector<double> MeshLevel::node_positions(const meshing::RoughGeometry& geometry) const {
   Vector<double> positions(partitioner_);
   std::vector<global_dof_index> indices(24);
-  for (const auto& cell : dofs_->active_cell_iterators()) {
+  for (const auto& cell : dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     cell->get_dof_indices(indices);
     const auto box = meshing::logical_box(cell);
@@ -213,7 +221,7 @@ Vector<double> MeshLevel::node_positions(const meshing::RoughGeometry& geometry)
   dealii::IndexSet relevant = partitioner_->locally_owned_range();
   relevant.add_indices(partitioner_->ghost_indices());
   hanging.reinit(relevant);
-  dealii::DoFTools::make_hanging_node_constraints(*dofs_, hanging);
+  dealii::DoFTools::make_hanging_node_constraints(dofs(), hanging);
   hanging.close();
   positions.update_ghost_values();
   Vector<double> fixed = positions;

@@ -51,8 +51,10 @@ class MeshLevel {
   /// communicator: of the vectors, for a level that outlives its triangulation.
   MeshLevel(const dealii::Triangulation<3>& triangulation, Control control, MPI_Comm communicator);
 
-  /// Until release_cells().
-  const dealii::DoFHandler<3>& dofs() const { return *dofs_; }
+  /// Numbers the unknowns again if they have been released. Collective; until release_cells().
+  const dealii::DoFHandler<3>& dofs() const;
+  /// Lets deal.II's numbering go, a tenth of a level's memory, until dofs() asks for it.
+  void release_dofs() { dofs_.reset(); }
   /// For deal.II's own assembly; made anew by each call, since nothing else needs them.
   dealii::AffineConstraints<double> constraints() const;
   /// Gives up the cells as deal.II describes them, with dofs() and constraints(): what is left multiplies,
@@ -167,7 +169,8 @@ class MeshLevel {
   MPI_Comm communicator_;
   dealii::FESystem<3> element_;
   Control control_;
-  std::unique_ptr<dealii::DoFHandler<3>> dofs_;
+  const dealii::Triangulation<3>* triangulation_;
+  mutable std::unique_ptr<dealii::DoFHandler<3>> dofs_;
   dealii::types::global_dof_index size_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   dealii::types::global_dof_index first_owned_ = 0, driven_dof_ = dealii::numbers::invalid_dof_index;

@@ -128,14 +128,17 @@ class MortarRows {
     }
   }
 
-  std::vector<GapRow> finish() {
+  std::vector<GapRow> finish(bool with_slopes) {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       GapRow& row = rows_[r];
+      row.entries.reserve(mortar_[r].size() + 1);
       row.entries.emplace_back(row.node, 1.0);
+      if (with_slopes) row.slope_entries.reserve(mortar_[r].size());
       for (const auto& [node, sum] : mortar_[r]) {
         if (std::abs(sum[0]) > 1e-12 * row.area) row.entries.emplace_back(node, -sum[0] / row.area);
-        row.slope_entries.push_back({node, {sum[1] / row.area, sum[2] / row.area}});
+        if (with_slopes) row.slope_entries.push_back({node, {sum[1] / row.area, sum[2] / row.area}});
       }
+      mortar_[r].clear();
     }
     return std::move(rows_);
   }
@@ -188,7 +191,7 @@ std::vector<PlaneQuad> quads(const std::vector<PlaneFace>& faces) {
 }
 
 std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle,
-                                      const std::vector<PlaneFace>& substrate) {
+                                      const std::vector<PlaneFace>& substrate, bool with_slopes) {
   if (particle.empty()) return {};
   const std::vector<PlaneFace> near = near_faces(particle, substrate);
   const FaceBins bins(near, 2 * least_width(particle));
@@ -204,7 +207,7 @@ std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle,
     });
     for (std::size_t q = 0; q < count; ++q) rows.add_face(particle[start + q], points[q]);
   }
-  return rows.finish();
+  return rows.finish(with_slopes);
 }
 
 }  // namespace asperity::fem

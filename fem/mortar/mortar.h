@@ -43,9 +43,9 @@ struct GapRow {
       slope{};  ///< change of the gap by a shift of the particle along x and y; 0: pressure acts along z
 };
 
-/// Rows for all nodes of `particle` faces. Throws WorkError where the substrate's faces do not cover the
-/// particle's.
+/// Rows for all nodes of `particle` faces, with their slope_entries or without. Throws WorkError where the
+/// substrate's faces do not cover the particle's.
 std::vector<GapRow> couple_interfaces(const std::vector<PlaneQuad>& particle,
-                                      const std::vector<PlaneFace>& substrate);
+                                      const std::vector<PlaneFace>& substrate, bool with_slopes = true);
 
 }  // namespace asperity::fem

@@ -13,7 +13,7 @@ namespace {
 void fill_rough(const HexOperator<float>& matrix, Vector<float>& v) {
   constexpr double roughness = 1e5;  // radians over the bodies' size: far more than one from node to node
   constexpr double along[3] = {1.0, 0.7, 0.4};
-  const float* places = matrix.positions().data();
+  const float* places = matrix.positions();
   double size = 0;
   for (unsigned i = 0; i < v.locally_owned_size(); ++i)
     size = std::max(size, std::abs(static_cast<double>(places[i])));
@@ -35,7 +35,6 @@ void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
   for_entries(static_cast<int>(inverse_diagonal_.locally_owned_size()),
               [=](int i) { inverse[i] = !smoothed || smoothed[i / 3] ? 1.0f / inverse[i] : 0.0f; });
   if (largest_ > 0) return;
-  matrix.initialize_dof_vector(residual_);
   matrix.initialize_dof_vector(direction_);
 
   Vector<float> r, z, p, q;
@@ -70,7 +69,7 @@ void Chebyshev::update(const HexOperator<float>& matrix, int steps) {
 }
 
 void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b,
-                       bool zero_guess) const {
+                       bool zero_guess, Vector<float>& scratch) const {
   const double upper = largest_, lower = largest_ / range;
   const double centre = 0.5 * (upper + lower), half = 0.5 * (upper - lower), sigma = centre / half;
   double rho = 1 / sigma;
@@ -83,8 +82,8 @@ void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const
   if (zero_guess) {
     for_entries(n, [=](int i) { values[i] = direction[i] = first * diagonal[i] * rhs[i]; });
   } else {
-    matrix.vmult(residual_, x);
-    const float* product = residual_.begin();
+    matrix.vmult(scratch, x);
+    const float* product = scratch.begin();
     for_entries(n, [=](int i) {
       direction[i] = first * diagonal[i] * (rhs[i] - product[i]);
       values[i] += direction[i];
@@ -94,8 +93,8 @@ void Chebyshev::smooth(const HexOperator<float>& matrix, Vector<float>& x, const
     const double next = 1 / (2 * sigma - rho);
     const float keep = static_cast<float>(next * rho), step = static_cast<float>(2 * next / half);
     rho = next;
-    matrix.vmult(residual_, x);
-    const float* product = residual_.begin();
+    matrix.vmult(scratch, x);
+    const float* product = scratch.begin();
     for_entries(n, [=](int i) {
       direction[i] = keep * direction[i] + step * diagonal[i] * (rhs[i] - product[i]);
       values[i] += direction[i];

@@ -19,14 +19,14 @@ class Chebyshev {
   /// scaled spectrum's upper end little, because the diagonal follows.
   void update(const HexOperator<float>& matrix, int steps = 12);
 
-  /// x = p(A) b; x is taken as zero, or as a first guess.
-  void smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b,
-              bool zero_guess) const;
+  /// x = p(A) b; x is taken as zero, or as a first guess. What `scratch` holds is lost.
+  void smooth(const HexOperator<float>& matrix, Vector<float>& x, const Vector<float>& b, bool zero_guess,
+              Vector<float>& scratch) const;
 
  private:
   Vector<float> inverse_diagonal_;
   std::vector<char> smoothed_;  ///< empty: all
-  mutable Vector<float> residual_, direction_;
+  mutable Vector<float> direction_;
   double largest_ = 0;
 };
 

@@ -11,10 +11,14 @@ namespace asperity::fem {
 template <typename Number>
 HexOperator<Number>::HexOperator(const MeshLevel& level, const Vector<double>& positions,
                                  const CellMaterials& materials)
-    : level_(level) {
-  const std::size_t local =
-      level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
-  positions_.assign(positions.begin(), positions.begin() + local);
+    : level_(level),
+      local_(level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices()) {
+  if constexpr (std::is_same_v<Number, double>) {
+    positions_ = positions.begin();
+  } else {
+    single_positions_.assign(positions.begin(), positions.begin() + local_);
+    positions_ = single_positions_.data();
+  }
   for (const J2Material& material : materials.all()) {
     shear_.push_back(static_cast<Number>(material.shear_modulus));
     bulk_.push_back(static_cast<Number>(material.bulk_modulus));
@@ -27,7 +31,7 @@ void HexOperator<Number>::apply_batch(int index, const Number* x, Number* y) con
   const CellBatch& batch = level_.batches()[index];
   V nodes[3][8];
   HexStrain<V> strain;
-  load_nodes(batch, positions_.data(), nodes);
+  load_nodes(batch, positions_, nodes);
   evaluate_geometry<Number>(nodes, strain);
   load_nodes(batch, x, nodes);
   forces_of(index, strain, nodes);
@@ -61,7 +65,7 @@ void HexOperator<Number>::apply_run(const int* first, const int* last, const Num
 template <typename Number>
 void HexOperator<Number>::set_part(std::vector<char> batches) {
   part_ = std::move(batches);
-  std::vector<char> touched(positions_.size() / 3, 0);
+  std::vector<char> touched(local_ / 3, 0);
   for (std::size_t b = 0; b < part_.size(); ++b)
     if (part_[b])
       for (const auto& nodes : level_.batches()[b].node)
@@ -81,7 +85,7 @@ void HexOperator<Number>::set_part(std::vector<char> batches) {
 template <typename Number>
 void HexOperator<Number>::take_cells_as_parallelepipeds() {
   if constexpr (std::is_same_v<Number, float>)
-    parallelepipeds_ = std::make_unique<ParallelepipedBatches>(level_, positions_, shear_, bulk_);
+    parallelepipeds_ = std::make_unique<ParallelepipedBatches>(level_, single_positions_, shear_, bulk_);
 }
 
 template <typename Number>
@@ -89,7 +93,7 @@ void HexOperator<Number>::cell_matrices(int index, CellMatrices& matrices) const
   using V = Simd<Number>;
   V nodes[3][8];
   HexStrain<V> strain;
-  load_nodes(level_.batches()[index], positions_.data(), nodes);
+  load_nodes(level_.batches()[index], positions_, nodes);
   evaluate_geometry<Number>(nodes, strain);
   for (int j = 0; j < 24; ++j) {
     for (auto& component : nodes)
@@ -141,7 +145,7 @@ void HexOperator<Number>::multiply(Parts parts, Vector<Number>& dst, const Vecto
   Number* x = const_cast<Number*>(src.begin());
   lines_ ? lines_->distribute(x) : level_.distribute(x);
   Number* y = dst.begin();
-  for_entries(static_cast<int>(positions_.size()), [=](int i) { y[i] = 0; });  // ghosts too
+  for_entries(static_cast<int>(local_), [=](int i) { y[i] = 0; });  // ghosts too
   if (parts != Parts::contact)
     level_.for_each_run([&](const int* first, const int* last) { apply_run(first, last, x, y); });
   if (parts != Parts::bodies) {
@@ -159,13 +163,13 @@ void HexOperator<Number>::multiply(Parts parts, Vector<Number>& dst, const Vecto
 template <typename Number>
 void HexOperator<Number>::find_bulk_diagonal() const {
   using V = Simd<Number>;
-  bulk_diagonal_.assign(positions_.size(), 0.0);
-  double* d = bulk_diagonal_.data();
+  bulk_diagonal_.assign(local_, Number(0));
+  Number* d = bulk_diagonal_.data();
   level_.for_each_batch([&](int index) {
     const CellBatch& batch = level_.batches()[index];
     V nodes[3][8];
     HexStrain<V> strain;
-    load_nodes(batch, positions_.data(), nodes);
+    load_nodes(batch, positions_, nodes);
     evaluate_geometry<Number>(nodes, strain);
     for (int v = 0; v < 8; ++v) {
       V mean[3] = {}, entry[3] = {};
@@ -190,8 +194,8 @@ void HexOperator<Number>::find_bulk_diagonal() const {
       for (int l = 0; l < batch.count; ++l)
         for (int c = 0; c < 3; ++c)
           d[3 * batch.node[v][l] + c] +=
-              static_cast<double>(shear_[batch.material[l]]) * entry[c][l] +
-              static_cast<double>(bulk_[batch.material[l]]) * mean[c][l] * mean[c][l] / strain.cell_volume[l];
+              shear_[batch.material[l]] * entry[c][l] +
+              bulk_[batch.material[l]] * mean[c][l] * mean[c][l] / strain.cell_volume[l];
     }
   });
 }
@@ -201,8 +205,8 @@ Vector<Number> HexOperator<Number>::diagonal() const {
   if (bulk_diagonal_.empty()) find_bulk_diagonal();
   Vector<double> diagonal(level_.partitioner());
   double* d = diagonal.begin();
-  const double* bulk = bulk_diagonal_.data();
-  for_entries(static_cast<int>(bulk_diagonal_.size()), [=](int i) { d[i] = bulk[i]; });
+  const Number* bulk = bulk_diagonal_.data();
+  for_entries(static_cast<int>(bulk_diagonal_.size()), [=](int i) { d[i] = static_cast<double>(bulk[i]); });
   if (interface_) interface_->add_diagonal(d);
   if (driven_spring_ != 0 && level_.owns_driven_dof()) d[level_.local_driven_dof()] += driven_spring_;
   level_.condense_diagonal(d);

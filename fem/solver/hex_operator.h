@@ -23,7 +23,7 @@ struct TangentField {
 template <typename Number>
 class HexOperator {
  public:
-  /// positions: of the nodes, ghosts up to date.
+  /// positions: of the nodes, ghosts up to date; in double precision they must outlive the operator.
   HexOperator(const MeshLevel& level, const Vector<double>& positions, const CellMaterials& materials);
 
   /// Interface stiffness and tangents that vmult adds; null: none. Not owned.
@@ -67,7 +67,8 @@ class HexOperator {
   /// As deal.II's smoothers ask for it.
   void initialize_dof_vector(Vector<Number>& vector) const { level_.initialise(vector); }
   const MeshLevel& level() const { return level_; }
-  const std::vector<Number>& positions() const { return positions_; }
+  /// Of the local nodes [m].
+  const Number* positions() const { return positions_; }
 
  private:
   enum class Parts { all, bodies, contact };
@@ -80,9 +81,11 @@ class HexOperator {
   void forces_of(int batch, HexStrain<Simd<Number>>& strain, Simd<Number> (&nodes)[3][8]) const;
 
   const MeshLevel& level_;
-  std::vector<Number> positions_;              ///< local, owned then ghosts [m]
+  std::vector<float> single_positions_;        ///< a copy; empty in double precision
+  const Number* positions_;                    ///< local, owned then ghosts [m]
+  std::size_t local_;                          ///< how many
   std::vector<Number> shear_, bulk_;           ///< by number of the material [Pa]
-  mutable std::vector<double> bulk_diagonal_;  ///< of K, local, not condensed [N/m]; empty: not yet asked for
+  mutable std::vector<Number> bulk_diagonal_;  ///< of K, local, not condensed [N/m]; empty: not yet asked for
   std::unique_ptr<ParallelepipedBatches> parallelepipeds_;  ///< null: all cells as they are
   const InterfaceOperator* interface_ = nullptr;
   const TangentField* tangent_ = nullptr;

@@ -165,7 +165,7 @@ void Multigrid::cycle(int index) const {
   }
   const Level& level = level_[index];
   const Level& coarse = level_[index - 1];
-  level.smoother.smooth(*level.matrix, level.solution, level.defect, true);
+  level.smoother.smooth(*level.matrix, level.solution, level.defect, true, level.scratch);
   level.matrix->vmult(level.scratch, level.solution);
   // At constrained unknowns both are 0, whatever the solution holds there.
   float* left = level.scratch.begin();
@@ -175,7 +175,7 @@ void Multigrid::cycle(int index) const {
   level.transfer->restrict_to(coarse.defect, level.scratch);
   cycle(index - 1);
   level.transfer->prolongate_and_add(level.solution, coarse.solution);
-  level.smoother.smooth(*level.matrix, level.solution, level.defect, false);
+  level.smoother.smooth(*level.matrix, level.solution, level.defect, false, level.scratch);
 }
 
 void Multigrid::vmult(Vector<double>& dst, const Vector<double>& src) const {

@@ -21,11 +21,11 @@ double von_mises(const SymmetricTensor<double>& s) {
 
 PlasticBodies::PlasticBodies(const MeshLevel& level, const Vector<double>& positions,
                              const CellMaterials& materials)
-    : level_(level), materials_(materials), history_(level.batches().size()), tried_(level.batches().size()) {
-  const std::size_t local =
-      level.partitioner()->locally_owned_size() + level.partitioner()->n_ghost_indices();
-  positions_.assign(positions.begin(), positions.begin() + local);
-}
+    : level_(level),
+      positions_(positions.begin()),
+      materials_(materials),
+      history_(level.batches().size()),
+      tried_(level.batches().size()) {}
 
 void PlasticBodies::begin_step(const StepTime& time, const Vector<double>& accepted) {
   time_ = time;
@@ -52,7 +52,7 @@ V PlasticBodies::relax(const CellBatch& batch, const SymmetricTensor<V>& before,
 void PlasticBodies::evaluate(int index, const double* u, HexStrain<V>& strain) const {
   const CellBatch& batch = level_.batches()[index];
   V nodes[3][8];
-  load_nodes(batch, positions_.data(), nodes);
+  load_nodes(batch, positions_, nodes);
   evaluate_geometry<double>(nodes, strain);
   load_nodes(batch, u, nodes);
   evaluate_strain<double>(nodes, strain);

@@ -50,6 +50,7 @@ class PlasticBodies {
   };
   using History = std::array<PointHistory, points_per_hex>;
 
+  /// positions: of the nodes, ghosts up to date; they must outlive the bodies.
   PlasticBodies(const MeshLevel& level, const Vector<double>& positions, const CellMaterials& materials);
 
   /// Of the step that the next calls are about, up to accept_step(); `accepted`: displacement at its
@@ -113,7 +114,7 @@ class PlasticBodies {
   BodyEnergies of_all_ranks(const StepSums& own, double force_change);
 
   const MeshLevel& level_;
-  std::vector<double> positions_;
+  const double* positions_;  ///< of the local nodes [m]
   CellMaterials materials_;
   StepTime time_;
   Vector<double> accepted_;  ///< displacement at the beginning of the step; empty: none relaxes
