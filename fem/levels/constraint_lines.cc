@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 
 #include "core/threads.h"
 
@@ -25,12 +25,6 @@ int ConstraintLines::add_entry(int free, double weight) {
   return start_.back()++;
 }
 
-ConstraintLines::Part ConstraintLines::all() const {
-  std::vector<int> lines(constrained_.size());
-  std::iota(lines.begin(), lines.end(), 0);
-  return part(lines);
-}
-
 bool ConstraintLines::is_of_node(std::size_t line) const {
   if (line + 2 >= constrained_.size() || constrained_[line] % 3 != 0) return false;
   const int first = start_[line], entries = start_[line + 1] - first;
@@ -50,23 +44,49 @@ bool ConstraintLines::is_of_node(std::size_t line) const {
   return true;
 }
 
-ConstraintLines::Part::Part(const ConstraintLines& all, const std::vector<int>& lines) : all_(&all) {
-  const auto follows = [&](std::size_t k, int c) {
-    return k + c < lines.size() && lines[k + c] == lines[k] + c;
-  };
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const int line = lines[k];
-    if (!follows(k, 1) || !follows(k, 2) || !all.is_of_node(line)) {
-      single_.push_back(line);
+std::vector<int> ConstraintLines::finish() {
+  std::vector<int> number_of_entry(free_.size(), -1), start{0}, free;
+  std::vector<double> weight;
+  Part::NodeSums& hanging = whole_.hanging_;
+  for (std::size_t line = 0; line < constrained_.size(); ++line) {
+    if (is_of_node(line)) {
+      hanging.node.push_back(constrained_[line] / 3);
+      for (int e = start_[line]; e < start_[line + 1]; ++e)
+        hanging.entry.push_back({free_[e] / 3, static_cast<float>(weight_[e])});
+      hanging.start.push_back(static_cast<int>(hanging.entry.size()));
+      line += 2;
       continue;
     }
-    hanging_.node.push_back(all.constrained_[line] / 3);
-    for (int e = all.start_[line]; e < all.start_[line + 1]; ++e)
-      hanging_.entry.push_back({all.free_[e] / 3, static_cast<float>(all.weight_[e])});
-    hanging_.start.push_back(static_cast<int>(hanging_.entry.size()));
-    k += 2;
+    whole_.single_.push_back(static_cast<int>(unknown_.size()));
+    unknown_.push_back(constrained_[line]);
+    for (int e = start_[line]; e < start_[line + 1]; ++e) {
+      number_of_entry[e] = static_cast<int>(free.size());
+      free.push_back(free_[e]);
+      weight.push_back(weight_[e]);
+    }
+    start.push_back(static_cast<int>(free.size()));
   }
-  receiving_ = hanging_.transposed();
+  start_ = std::move(start), free_ = std::move(free), weight_ = std::move(weight);
+  whole_.receiving_ = hanging.transposed();
+  whole_.all_ = this;
+  return number_of_entry;
+}
+
+ConstraintLines::Part ConstraintLines::of_nodes(const std::vector<char>& wanted) const {
+  Part part;
+  part.all_ = this;
+  const Part::NodeSums& hanging = whole_.hanging_;
+  for (std::size_t k = 0; k < hanging.node.size(); ++k) {
+    if (!wanted[hanging.node[k]]) continue;
+    part.hanging_.node.push_back(hanging.node[k]);
+    part.hanging_.entry.insert(part.hanging_.entry.end(), hanging.entry.begin() + hanging.start[k],
+                               hanging.entry.begin() + hanging.start[k + 1]);
+    part.hanging_.start.push_back(static_cast<int>(part.hanging_.entry.size()));
+  }
+  for (const int line : whole_.single_)
+    if (wanted[unknown_[line] / 3]) part.single_.push_back(line);
+  part.receiving_ = part.hanging_.transposed();
+  return part;
 }
 
 ConstraintLines::Part::NodeSums ConstraintLines::Part::NodeSums::transposed() const {
@@ -91,11 +111,19 @@ ConstraintLines::Part::NodeSums ConstraintLines::Part::NodeSums::transposed() co
 }
 
 void ConstraintLines::condense_diagonal(double* y) const {
-  for (std::size_t c = 0; c < constrained_.size(); ++c) {
-    const double value = y[constrained_[c]];
-    y[constrained_[c]] = 0;
-    for (int e = start_[c]; e < start_[c + 1]; ++e) y[free_[e]] += weight_[e] * weight_[e] * value;
+  for (const int line : whole_.single_) {
+    const double value = std::exchange(y[unknown_[line]], 0);
+    for (int e = start_[line]; e < start_[line + 1]; ++e) y[free_[e]] += weight_[e] * weight_[e] * value;
   }
+  const Part::NodeSums& hanging = whole_.hanging_;
+  for (std::size_t k = 0; k < hanging.node.size(); ++k)
+    for (int c = 0; c < 3; ++c) {
+      const double value = std::exchange(y[3 * static_cast<std::ptrdiff_t>(hanging.node[k]) + c], 0);
+      for (int e = hanging.start[k]; e < hanging.start[k + 1]; ++e) {
+        const double weight = static_cast<double>(hanging.entry[e].weight);
+        y[3 * static_cast<std::ptrdiff_t>(hanging.entry[e].node) + c] += weight * weight * value;
+      }
+    }
 }
 
 template <typename Number>
@@ -120,14 +148,14 @@ void ConstraintLines::Part::distribute(Number* x) const {
     Number sum = 0;
     for (int e = all_->start_[line]; e < all_->start_[line + 1]; ++e)
       sum += static_cast<Number>(all_->weight_[e]) * x[all_->free_[e]];
-    x[all_->constrained_[line]] = sum;
+    x[all_->unknown_[line]] = sum;
   }
 }
 
 template <typename Number>
 void ConstraintLines::Part::condense(Number* y) const {
   for (const int line : single_) {
-    Number& value = y[all_->constrained_[line]];
+    Number& value = y[all_->unknown_[line]];
     for (int e = all_->start_[line]; e < all_->start_[line + 1]; ++e)
       y[all_->free_[e]] += static_cast<Number>(all_->weight_[e]) * value;
     value = 0;

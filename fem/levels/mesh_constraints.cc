@@ -154,7 +154,8 @@ void MeshLevel::fill_arrays(const dealii::AffineConstraints<double>& constraints
     if (tilted != shares.along_x.end() && control_ == Control::force)
       tilted_entry_.emplace_back(lines_.add_entry(local(driven_dof_), 0), tilted->second);
   }
-  all_lines_.emplace(lines_.all());
+  const std::vector<int> number = lines_.finish();
+  for (auto& [entry, share] : tilted_entry_) entry = number[entry];
 }
 
 void MeshLevel::set_drive_tilt(double tilt) {

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/threads.h"
@@ -101,12 +100,12 @@ class MeshLevel {
   /// Sets constrained entries from the free ones (homogeneous part). Ghosts must be up to date.
   template <typename Number>
   void distribute(Number* x) const {
-    all_lines_->distribute(x);
+    lines_.all().distribute(x);
   }
   /// Transpose: moves what constrained rows received to the free ones and zeroes them.
   template <typename Number>
   void condense(Number* y) const {
-    all_lines_->condense(y);
+    lines_.all().condense(y);
   }
   const ConstraintLines& lines() const { return lines_; }
   /// The same with a given displacement of the driven plane along z (displacement control).
@@ -181,7 +180,6 @@ class MeshLevel {
   std::vector<int> ordered_batches_;
   std::vector<std::vector<int>> rounds_;  ///< of each the begins of its runs in ordered_batches_, and the end
   ConstraintLines lines_;
-  std::optional<ConstraintLines::Part> all_lines_;
   std::vector<InterfaceFace> interface_faces_;
   std::vector<int> place_of_cell_;  ///< lanes * batch + lane; -1: not owned
 };

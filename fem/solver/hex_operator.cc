@@ -76,10 +76,7 @@ void HexOperator<Number>::set_part(std::vector<char> batches) {
       const auto dof = 3 * static_cast<dealii::types::global_dof_index>(node);
       if (partitioner.in_local_range(dof)) touched[partitioner.global_to_local(dof) / 3] = 1;
     }
-  std::vector<int> lines;
-  for (std::size_t c = 0; c < level_.constrained().size(); ++c)
-    if (touched[level_.constrained()[c] / 3]) lines.push_back(static_cast<int>(c));
-  lines_.emplace(level_.lines().part(lines));
+  lines_.emplace(level_.lines().of_nodes(touched));
 }
 
 template <typename Number>
