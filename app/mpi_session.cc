@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/threads.h"
+#include "core/thread_limit.h"
 
 namespace asperity {
 

@@ -18,7 +18,7 @@
 #include "core/build_commit.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
-#include "core/threads.h"
+#include "core/thread_limit.h"
 
 namespace asperity {
 namespace {

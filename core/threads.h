@@ -17,9 +17,6 @@
 
 namespace asperity {
 
-/// At most so many threads share loops from now on; 0: as many as the machine has cores.
-void limit_threads(int count);
-
 /// Calls work(first, last) for parts of 0, ..., count - 1, of `grain` members or more where there are so
 /// many.
 template <typename Work>

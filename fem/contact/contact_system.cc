@@ -85,6 +85,7 @@ void ContactSystem::find_faces() {
           "the particle's contact region is not uniformly meshed; this is an error of the program");
     faces_[f.body].push_back(face);
   }
+  for (auto& faces : faces_) faces.shrink_to_fit();
   if (faces_[0].empty())
     throw WorkError(
         "the contact region holds no face; enlarge Mesh/Contact region or reduce Mesh/Interface spacing");

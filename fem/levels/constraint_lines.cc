@@ -67,6 +67,8 @@ std::vector<int> ConstraintLines::finish() {
     start.push_back(static_cast<int>(free.size()));
   }
   start_ = std::move(start), free_ = std::move(free), weight_ = std::move(weight);
+  for (auto* list : {&constrained_, &hanging.node, &hanging.start}) list->shrink_to_fit();
+  hanging.entry.shrink_to_fit();
   whole_.receiving_ = hanging.transposed();
   whole_.all_ = this;
   return number_of_entry;

@@ -81,6 +81,7 @@ void MeshLevel::make_batches() {
     }
     add_to_batch(cell, open);
   }
+  batches_.shrink_to_fit();
   if (open < 0) return;
   CellBatch& last = batches_[open];
   for (int l = last.count; l < lanes; ++l) {
@@ -198,6 +199,7 @@ void MeshLevel::collect_interfaces() {
                return parts;
              }())
     interface_faces_.insert(interface_faces_.end(), part.begin(), part.end());
+  interface_faces_.shrink_to_fit();
   std::sort(interface_faces_.begin(), interface_faces_.end(), [](const auto& a, const auto& b) {
     return std::array<int, 3>{a.body, a.j, a.i} < std::array<int, 3>{b.body, b.j, b.i};
   });

@@ -11,8 +11,7 @@
 namespace asperity::fem {
 namespace {
 
-// Some microseconds of work.
-constexpr int grain_of_rows = 128, grain_of_nodes = 64;
+constexpr int grain_of_rows = 128, grain_of_nodes = 64;  // some microseconds of work
 
 }  // namespace
 InterfaceOperator::InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows,
@@ -35,12 +34,17 @@ void InterfaceOperator::set_rows(const std::vector<GapRow>& rows, const Interfac
   auto& [exact, single] = weights_;
   exact.clear();
   single.clear();
-  single.reserve(start_.back());
+  if (precision_ == Precision::single)
+    single.reserve(start_.back());
+  else
+    exact.reserve(start_.back());
   for (const auto& row : entries)
     for (const auto& [column, weight] : row) {
       column_.push_back(column);
-      single.push_back(static_cast<float>(weight));
-      if (precision_ == Precision::both) exact.push_back(weight);
+      if (precision_ == Precision::single)
+        single.push_back(static_cast<float>(weight));
+      else
+        exact.push_back(weight);
     }
   set_slopes(rows);
   const long count = static_cast<long>(rows.size());
@@ -66,6 +70,7 @@ void InterfaceOperator::set_stiffness(std::shared_ptr<const std::vector<RowStiff
   for (int r = first_row_; r < last_row_; ++r)
     if (!(*stiffness_)[r].open()) active_.push_back(r);
   find_touched();
+  if (precision_ == Precision::single) sum_up();
 }
 
 void InterfaceOperator::find_touched() {
@@ -81,17 +86,22 @@ void InterfaceOperator::find_touched() {
   }
   touched_ = nodes_.only(touched);
   touched_column_.resize(column_.size());
-  touched_start_.assign(touched.size() + 1, 0);
   for (const int row : active_)
-    for (int e = start_[row]; e < start_[row + 1]; ++e)
-      ++touched_start_[(touched_column_[e] = place[column_[e]]) + 1];
+    for (int e = start_[row]; e < start_[row + 1]; ++e) touched_column_[e] = place[column_[e]];
+}
+
+void InterfaceOperator::list_rows_of_nodes() const {
+  auto& [exact, single] = weights_;
+  if (single.empty()) single.assign(exact.begin(), exact.end());
+  touched_start_.assign(touched_.count() + 1, 0);
+  for (const int row : active_)
+    for (int e = start_[row]; e < start_[row + 1]; ++e) ++touched_start_[touched_column_[e] + 1];
   std::partial_sum(touched_start_.begin(), touched_start_.end(), touched_start_.begin());
   touched_row_.resize(touched_start_.back());
-  const auto& weight = std::get<std::vector<float>>(weights_);
   std::vector<int> next(touched_start_.begin(), touched_start_.end() - 1);
   for (std::size_t a = 0; a < active_.size(); ++a)
     for (int e = start_[active_[a]]; e < start_[active_[a] + 1]; ++e)
-      touched_row_[next[touched_column_[e]]++] = {static_cast<int>(a), weight[e]};
+      touched_row_[next[touched_column_[e]]++] = {static_cast<int>(a), single[e]};
 }
 
 void InterfaceOperator::set_rotation(const Rotation& rotation) {
@@ -132,6 +142,7 @@ bool InterfaceOperator::has_few_nodes() const {
 
 void InterfaceOperator::sum_up() const {
   is_summed_up_ = true;
+  list_rows_of_nodes();
   pairs_.clear();
   if (!has_few_nodes()) return;
   const int nodes = touched_.count();
@@ -214,7 +225,7 @@ void InterfaceOperator::apply(const Number* x, Number* y) const {
 }
 
 void InterfaceOperator::add_diagonal(double* diagonal) const {
-  const auto& weight = std::get<std::vector<float>>(weights_);
+  const auto& [exact, single] = weights_;
   std::vector<NodeValue<double>> result(touched_.count(), NodeValue<double>{});
   for (const int row : active_) {
     const RowStiffness& stiffness = (*stiffness_)[row];
@@ -231,7 +242,8 @@ void InterfaceOperator::add_diagonal(double* diagonal) const {
     for (int e = start_[row]; e < start_[row + 1]; ++e) {
       const int node = touched_column_[e];
       const double* k = turned_ && touched_.site(node).body == 0 ? turned : fixed;
-      for (int c = 0; c < 3; ++c) result[node][c] += k[c] * static_cast<double>(weight[e] * weight[e]);
+      const double weight = exact.empty() ? static_cast<double>(single[e]) : exact[e];
+      for (int c = 0; c < 3; ++c) result[node][c] += k[c] * weight * weight;
     }
   }
   touched_.scatter_add<double>(result, diagonal);

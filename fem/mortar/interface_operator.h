@@ -36,7 +36,8 @@ struct RowStiffness {
 class InterfaceOperator {
  public:
   /// rows: of the finest mesh with its node numbering `fine_nodes`; level: where displacements live.
-  /// precision: single leaves apply<float>() and add_diagonal() alone.
+  /// precision: single leaves apply<float>() and add_diagonal() alone; both keeps what apply<float>() needs
+  /// from its first call on.
   enum class Precision { both, single };
   InterfaceOperator(const MeshLevel& level, const std::vector<GapRow>& rows, const InterfaceNodes& fine_nodes,
                     Precision precision = Precision::both);
@@ -92,6 +93,8 @@ class InterfaceOperator {
   void turn(const InterfaceNodes& nodes, std::vector<NodeValue<Number>>& values, bool back) const;
   /// Finds the nodes of the rows that are not open.
   void find_touched();
+  /// For apply<float>(): of each touched node.
+  void list_rows_of_nodes() const;
   /// E of a row: its force by component of the jump, as columns [N/m].
   template <typename Number>
   std::array<NodeValue<Number>, 3> columns_of(int row) const;
@@ -123,11 +126,12 @@ class InterfaceOperator {
     int place;  ///< in active_
     float weight;
   };
-  std::vector<RowOfNode> touched_row_;  ///< rows of the touched nodes, one after the other
-  std::vector<int> touched_start_;      ///< of each its begin there, and the end
+  mutable std::vector<RowOfNode> touched_row_;  ///< rows of the touched nodes, one after the other
+  mutable std::vector<int> touched_start_;      ///< of each its begin there, and the end
   std::shared_ptr<const std::vector<RowStiffness>> stiffness_;
-  std::vector<std::array<double, 2>> slope_;                     ///< empty: no row is tilted
-  std::tuple<std::vector<double>, std::vector<float>> weights_;  ///< the same, for both precisions
+  std::vector<std::array<double, 2>> slope_;  ///< empty: no row is tilted
+  /// The same, for both precisions; empty: not needed so far.
+  mutable std::tuple<std::vector<double>, std::vector<float>> weights_;
   mutable std::tuple<Workspace<double>, Workspace<float>> workspaces_;
   mutable bool is_summed_up_ = false;
   /// G^T E G of this rank's rows by pair of touched nodes, as columns; empty: rows are cheaper.

@@ -141,6 +141,9 @@ std::vector<long> LevelTransfer::make_rows(const MeshLevel& fine) {
       rows_.start.push_back(static_cast<int>(columns.size()));
     }
   });
+  fine_node_.shrink_to_fit();
+  rows_.start.shrink_to_fit();
+  rows_.weight.shrink_to_fit();
   return columns;
 }
 
@@ -152,6 +155,7 @@ void LevelTransfer::number_columns(const std::vector<long>& columns) {
                              coarse_.partitioner()->locally_owned_range(), needed, coarse_.communicator())
                        : coarse_.partitioner();
   buffer_.reinit(columns_);
+  rows_.column.reserve(columns.size());
   for (const long node : columns)
     rows_.column.push_back(static_cast<int>(columns_->global_to_local(3 * node) / 3));
 }

@@ -70,6 +70,7 @@ ParallelepipedBatches::ParallelepipedBatches(const MeshLevel& level, const std::
                                              const std::vector<float>& shear,
                                              const std::vector<float>& bulk) {
   const int last_node = static_cast<int>(positions.size() / 3) - 1;
+  place_.reserve(level.batches().size());
   for (const CellBatch& batch : level.batches()) {
     place_.push_back(-1);
     Siblings cells;
@@ -93,6 +94,7 @@ ParallelepipedBatches::ParallelepipedBatches(const MeshLevel& level, const std::
     place_.back() = static_cast<int>(siblings_.size());
     siblings_.push_back(cells);
   }
+  siblings_.shrink_to_fit();
 }
 
 void ParallelepipedBatches::load(const Siblings& siblings, const float* x, PatchGrid (&grid)[3]) {

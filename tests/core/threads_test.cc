@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/thread_limit.h"
+
 namespace {
 
 using namespace asperity;

@@ -1,4 +1,4 @@
-#include "core/threads.h"
+#include "core/thread_limit.h"
 
 #include <tbb/global_control.h>
 
