@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -116,8 +115,7 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
 
 int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
   open_missing_streams();
-  // As OpenMP's threads, those that share loops heed it; a case's own Solver/Threads goes before it.
-  if (const char* threads = std::getenv("OMP_NUM_THREADS")) limit_threads(std::max(1, std::atoi(threads)));
+  limit_threads_by_environment();  // a case's own Solver/Threads goes before it
   return with_printed_output(run(argc, argv, add_commands));
 }
 

@@ -2,6 +2,7 @@
 
 #include <tbb/global_control.h>
 
+#include <cstdlib>
 #include <optional>
 
 namespace asperity {
@@ -12,6 +13,11 @@ void limit_threads(int count) {
   limit->reset();
   if (count > 0)
     limit->emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+}
+
+void limit_threads_by_environment() {
+  const char* asked = std::getenv("OMP_NUM_THREADS");
+  if (const int count = asked ? std::atoi(asked) : 0; count > 0) limit_threads(count);
 }
 
 }  // namespace asperity

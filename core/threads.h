@@ -1,9 +1,9 @@
 // Loops that threads share: those of Intel's TBB, which deal.II uses too, so that there is one pool of them.
 //
 // A thread that comes late, since it slept or another process has its core, finds its share taken over: a
-// shared loop is never slower than its serial form by more than a microsecond. OpenMP's threads wait for each
-// other instead: some 50 us a loop where they sleep in between, and many times the loop where they spin and
-// another process has a core.
+// shared loop costs a microsecond more than a serial one, also on a busy machine. OpenMP's threads wait for
+// each other instead: some 50 us a loop where they sleep in between, and many times the loop where they spin
+// and another process has a core (benchmarks/README.md).
 #pragma once
 
 #include <tbb/blocked_range.h>

@@ -123,8 +123,8 @@ dealii::AffineConstraints<double> MeshLevel::constrain(const dealii::AffineConst
 void MeshLevel::make_partitioner(const dealii::IndexSet& relevant,
                                  const dealii::AffineConstraints<double>& tied) {
   // The masters of constraints must be at hand wherever the constrained node is.
-  std::set<global_dof_index>
-      others;  // in order: a set of indices takes time for each that it gets among them
+  // Collected in order: an index set moves its ranges for each index that it gets among them.
+  std::set<global_dof_index> others;
   const auto add_node_of = [&](global_dof_index dof) {
     if (relevant.is_element(dof)) return;
     for (global_dof_index c = 0; c < 3; ++c) others.insert(dof - dof % 3 + c);

@@ -52,7 +52,7 @@ class MeshLevel {
 
   /// Numbers the unknowns again if they have been released. Collective; until release_cells().
   const dealii::DoFHandler<3>& dofs() const;
-  /// Lets deal.II's numbering go, a tenth of a level's memory, until dofs() asks for it.
+  /// Lets deal.II's numbering go, some 40 bytes an unknown, until dofs() asks for it.
   void release_dofs() { dofs_.reset(); }
   /// For deal.II's own assembly; made anew by each call, since nothing else needs them.
   dealii::AffineConstraints<double> constraints() const;

@@ -1,8 +1,10 @@
 #include "core/error.h"
+#include "core/thread_limit.h"
 #include "python/native/native.h"
 
 PYBIND11_MODULE(_native, module) {
   namespace py = pybind11;
+  asperity::limit_threads_by_environment();
   module.doc() = "The parts of asperity that run within Python's own process.";
   py::register_exception<asperity::InputError>(module, "InputError", PyExc_ValueError).attr("__doc__") =
       "What was asked for is refused; the message names the remedy.";

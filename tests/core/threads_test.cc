@@ -5,7 +5,9 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -65,10 +67,15 @@ TEST(Threads_behaviour, a_limit_of_one_leaves_all_to_the_caller_until_it_is_lift
   const auto allowed = [] {
     return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   };
+  const char* set = std::getenv("OMP_NUM_THREADS");
+  const std::string own_setting = set ? set : "";
   const std::size_t before = allowed();
   const auto own = std::this_thread::get_id();
   std::atomic<bool> elsewhere{false};
-  limit_threads(1);
+  ASSERT_EQ(::setenv("OMP_NUM_THREADS", "1", 1), 0);
+  limit_threads_by_environment();
+  ASSERT_EQ(::setenv("OMP_NUM_THREADS", "some", 1), 0);
+  limit_threads_by_environment();  // not a number: as it was
   for_parts(1000, 1, [&](int, int) {
     if (std::this_thread::get_id() != own) elsewhere = true;
   });
@@ -77,6 +84,10 @@ TEST(Threads_behaviour, a_limit_of_one_leaves_all_to_the_caller_until_it_is_lift
   constexpr int all_cores = 0;
   limit_threads(all_cores);
   EXPECT_EQ(allowed(), before);
+  if (set)
+    ::setenv("OMP_NUM_THREADS", own_setting.c_str(), 1);
+  else
+    ::unsetenv("OMP_NUM_THREADS");
 }
 
 TEST(Threads_behaviour, a_failure_of_one_part_reaches_the_caller) {
