@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
@@ -172,8 +173,9 @@ class Diagnoser {
     mapping_->add_case_entries(problem_, effects);
   }
 
-  void compare(const ModelFit& after) {
-    result_.compared = compared_tables(recording_, problem_, baseline_, after);
+  /// `drawn`: what pictures show beside the simulation alone.
+  void compare(const ModelFit& after, const ModelFit& drawn) {
+    result_.compared = compared_tables(recording_, problem_, baseline_, drawn);
     result_.simulated = simulated_rows(recording_, problem_, baseline_, after);
   }
 
@@ -183,7 +185,25 @@ class Diagnoser {
     if (verdict != Verdict::no_mismatch) result_.mismatch = mismatch;
     result_.remaining = result_.mismatch;
     result_.improved = result_.baseline;
-    compare(baseline_);
+    if (verdict == Verdict::unexplained && search_.explains())
+      show_nearest();
+    else
+      compare(baseline_, baseline_);
+  }
+
+  /// The best fit of an unexplained recording, beside the simulation and not in its place.
+  void show_nearest() {
+    const ModelFit best =
+        judged_.list.empty() ? finished(problem_, search_.candidates.front().fit) : judged_.list.front().fit;
+    result_.nearest = described_effects(problem_, best, 0);
+    result_.with_nearest =
+        quality_of(problem_, best, predict_held_out(problem_, best, blocks_of(problem_.samples)));
+    result_.remarks.push_back(
+        "the nearest of the catalogue, " + best.explanation->name() +
+        printed(", takes away only part of the mismatch (chi-square per sample falls from %.3g to %.3g) and "
+                "is not named",
+                result_.baseline.chi2_reduced, result_.with_nearest.chi2_reduced));
+    compare(baseline_, best);
   }
 
   void judge(const Scanner& scanner) {
@@ -200,8 +220,6 @@ class Diagnoser {
     if (!clean &&
         gained < part_that_counts[std::min<std::size_t>(3, chosen.fit.explanation->effects().size())]) {
       nothing_named(Verdict::unexplained, std::vector<MismatchRegion>(result_.mismatch));
-      result_.remarks.push_back("the nearest of the catalogue, " + chosen.fit.explanation->name() +
-                                ", takes away only part of the mismatch and is not named");
       return;
     }
     result_.improved = quality_of(problem_, chosen.fit, chosen.held_out);
@@ -233,7 +251,7 @@ class Diagnoser {
                                          tells_apart};
       result_.alternatives.insert(result_.alternatives.begin(), first);
     }
-    compare(chosen.fit);
+    compare(chosen.fit, chosen.fit);
   }
 
   /// What leaves an explanation a candidate though no other does as well; empty: nothing.

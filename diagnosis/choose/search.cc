@@ -12,6 +12,8 @@ namespace {
 using Effects = std::vector<const Effect*>;
 
 constexpr std::size_t widest_beam_of_singles = 8, widest_beam_of_pairs = 3, largest_set = 3;
+/// With samples off contact, which show what an instrument adds apart from the contact.
+constexpr std::size_t largest_set_off_contact = 6;
 
 /// Log odds against each effect that other causes look like in these data: less than as_good, so that it
 /// stays a candidate beside its equals.
@@ -101,6 +103,13 @@ std::vector<const Candidate*> best_of_size(const SearchResult& result, std::size
   return list;
 }
 
+std::size_t largest_size(const SearchResult& result) {
+  std::size_t size = 0;
+  for (const auto& candidate : result.candidates)
+    size = std::max(size, candidate.fit.explanation->effects().size());
+  return size;
+}
+
 /// Smaller sets, each from where a good larger one that holds it stands: those that were fitted once more,
 /// for where responses jump a fit may have ended in another valley, and what only led out of that one would
 /// be named; and those whose members were too poor alone to be tried together.
@@ -108,7 +117,7 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
   constexpr std::size_t most_larger = 4;
   constexpr int iterations = 30;
   constexpr double another_valley = 0.5;  // of the cost; less is how far fits are carried on
-  for (std::size_t size = largest_set; size > 1; --size) {
+  for (std::size_t size = largest_size(result); size > 1; --size) {
     std::vector<std::pair<Effects, const ModelFit*>> sets;  // and the larger fit that each is taken from
     std::vector<ModelFit> larger_fits;
     for (const auto* larger : best_of_size(result, size, most_larger)) larger_fits.push_back(larger->fit);
@@ -141,6 +150,73 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
 
 }  // namespace
 
+namespace {
+
+/// Sets of one size that are not fitted yet, each with the smaller fit that it grows from.
+class SetsOfSize {
+ public:
+  SetsOfSize(const SearchResult& result, std::set<Effects>& tried, std::size_t size) : tried_(tried) {
+    const std::size_t beam = size == 2             ? widest_beam_of_singles
+                             : size <= largest_set ? widest_beam_of_pairs
+                                                   : 1;
+    for (const auto* candidate : best_of_size(result, size - 1, beam)) grown_.push_back(candidate->fit);
+    if (size == 1) grown_.push_back(result.alone.fit);
+  }
+
+  /// With one effect more.
+  void grow_by(const Effect* effect) {
+    for (const ModelFit& fit : grown_) {
+      Effects set = fit.explanation->effects();
+      if (std::find(set.begin(), set.end(), effect) != set.end()) continue;
+      set.push_back(effect);
+      std::sort(set.begin(), set.end());
+      if (Explanation::compatible(set) && tried_.insert(set).second) sets_.push_back({set, &fit});
+    }
+  }
+
+  std::vector<Candidate> fitted(const FitProblem& problem, const LawErrors& laws,
+                                const ModelFit& baseline) const {
+    std::vector<Candidate> fitted(sets_.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t i = 0; i < sets_.size(); ++i) {
+      fitted[i].fit = fit_explanation(problem, sets_[i].first, sets_[i].second);
+      cost_explanation(fitted[i], problem, laws, baseline);
+    }
+    return fitted;
+  }
+  std::size_t count() const { return sets_.size(); }
+
+ private:
+  std::set<Effects>& tried_;
+  std::vector<ModelFit> grown_;
+  std::vector<std::pair<Effects, const ModelFit*>> sets_;
+};
+
+std::string sets_in_words(std::size_t size) {
+  static const char* const words[] = {"effects", "pairs of effects", "sets of three"};
+  return size <= std::size(words) ? words[size - 1] : "sets of " + std::to_string(size);
+}
+
+Effects admissible_effects(const Experiment& experiment) {
+  Effects admissible;
+  for (const auto& effect : effect_catalogue())
+    if (effect->is_shown_by(experiment) && has_a_form(*effect, experiment))
+      admissible.push_back(effect.get());
+  return admissible;
+}
+
+/// Whether larger sets are looked for: only where those of this size leave structure, and those of more than
+/// three only as long as each further member is plain.
+bool is_worth_growing(const SearchResult& result, std::size_t size, bool leaves_noise) {
+  if (size < largest_set) return true;
+  constexpr double plain_evidence = 25;
+  const auto best = best_of_size(result, size, 1), smaller = best_of_size(result, size - 1, 1);
+  return !leaves_noise && !best.empty() && !smaller.empty() &&
+         best.front()->score > smaller.front()->score + plain_evidence;
+}
+
+}  // namespace
+
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
                             const std::function<void(const std::string&)>& progress) {
   SearchResult result;
@@ -148,45 +224,21 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
   const LawErrors laws(problem.samples);
   result.alone.cost = baseline.cost;
   if (problem.correction) cost_explanation(result.alone, problem, laws, baseline);
-  Effects admissible;
-  for (const auto& effect : effect_catalogue())
-    if (effect->is_shown_by(problem.experiment) && has_a_form(*effect, problem.experiment))
-      admissible.push_back(effect.get());
+  const Effects admissible = admissible_effects(problem.experiment);
   result.admissible = admissible.size();
   std::set<Effects> tried;
-  bool only_values = false;  // two effects leave noise: a third is only another value of the simulation
-  for (std::size_t size = 1; size <= largest_set; ++size) {
-    // Sets to fit, each with the smaller fit it grows from.
-    std::vector<std::pair<Effects, const ModelFit*>> sets;
-    const auto add = [&](Effects set, const ModelFit* near) {
-      std::sort(set.begin(), set.end());
-      if (Explanation::compatible(set) && tried.insert(set).second) sets.push_back({set, near});
-    };
-    const auto grown_from =
-        best_of_size(result, size - 1, size == 2 ? widest_beam_of_singles : widest_beam_of_pairs);
-    std::vector<ModelFit> grown_fits;
-    for (const auto* candidate : grown_from) grown_fits.push_back(candidate->fit);
-    if (size == 1)
-      for (const Effect* effect : admissible) add({effect}, &baseline);
-    for (const auto& fit : grown_fits)
-      for (const Effect* effect : admissible) {
-        Effects set = fit.explanation->effects();
-        if (std::find(set.begin(), set.end(), effect) != set.end()) continue;
-        if (only_values && !effect->is_another_value()) continue;
-        set.push_back(effect);
-        add(set, &fit);
-      }
-    if (progress && !sets.empty())
-      progress("fitting " + std::to_string(sets.size()) +
-               (size == 1   ? " effects"
-                : size == 2 ? " pairs of effects"
-                            : " sets of three"));
-    std::vector<Candidate> fitted(sets.size());
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      fitted[i].fit = fit_explanation(problem, sets[i].first, sets[i].second);
-      cost_explanation(fitted[i], problem, laws, baseline);
+  bool leaves_noise = false;  // two effects do: a third is only another value of the simulation
+  const std::size_t largest = problem.experiment.has_off_contact ? largest_set_off_contact : largest_set;
+  for (std::size_t size = 1; size <= largest; ++size) {
+    SetsOfSize sets(result, tried, size);
+    for (const Effect* effect : admissible) {
+      if (leaves_noise && !effect->is_another_value()) continue;
+      if (size > largest_set && effect->description().kind != EffectKind::instrument) continue;
+      sets.grow_by(effect);
     }
+    if (progress && sets.count() > 0)
+      progress("fitting " + std::to_string(sets.count()) + " " + sets_in_words(size));
+    const std::vector<Candidate> fitted = sets.fitted(problem, laws, baseline);
     result.candidates.insert(result.candidates.end(), fitted.begin(), fitted.end());
     score_all(result, problem);
     if (result.candidates.empty()) break;
@@ -195,7 +247,8 @@ SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline,
     if (size == 1 && is_noise(baseline) && result.candidates.front().score < result.alone.score + something)
       break;
     // Three effects are looked for only where two leave structure.
-    only_values = size >= 2 && is_noise(result.candidates.front().fit);
+    leaves_noise = size >= 2 && is_noise(result.candidates.front().fit);
+    if (!is_worth_growing(result, size, leaves_noise)) break;
   }
   refit_within_larger(result, problem, laws);
   return result;

@@ -1,5 +1,6 @@
 // Which effects: sets of up to three, by evidence, from the best of each size (a beam, so that a pair may win
-// whose members do little alone), each set with what leaving one of its members out again would cost.
+// whose members do little alone), and where samples off contact show it, what the instrument adds besides;
+// each set with what leaving one of its members out again would cost.
 #pragma once
 
 #include <algorithm>

@@ -82,7 +82,8 @@ struct AlternativeExplanation {
   std::string told_apart_by;
 };
 
-/// One table's numbers for pictures: recorded, simulated before and after.
+/// One table's numbers for pictures: recorded, simulated before and after (where nothing is named, with what
+/// is nearest).
 struct ComparedTable {
   std::string table, channel, unit, variable, variable_unit;
   std::vector<double> x, recorded, before, after, sd;
@@ -120,6 +121,10 @@ struct Diagnosis {
   std::vector<MismatchRegion> mismatch, remaining;
   std::vector<DiagnosedEffect> left_out;
   std::vector<AlternativeExplanation> alternatives;
+  /// What fits best where the verdict is `unexplained`: to look at, and no answer. Empty: nothing takes
+  /// anything away.
+  std::vector<DiagnosedEffect> nearest;
+  FitQuality with_nearest;
   std::vector<std::string> remarks;  ///< what limits the answer, in sentences
   /// The rows lie on the simulation to a small part of their own deviations: points of a curve fitted to
   /// measurements, and no measurements.

@@ -60,6 +60,14 @@ Json to_json(const FitQuality& q) {
   return {{"chi2_reduced", q.chi2_reduced}, {"rms", rms}, {"held_out_chi2_reduced", q.held_out_chi2_reduced}};
 }
 
+/// What fits best and is not named.
+Json nearest(const Diagnosis& d) {
+  Json names = Json::array(), details = Json::array();
+  for (const auto& effect : d.nearest)
+    names.push_back(effect.id), details.push_back(to_json(effect, d.simulation));
+  return {{"effects", names}, {"is_named", false}, {"fit", to_json(d.with_nearest)}, {"details", details}};
+}
+
 Json forward_model(const Diagnosis& d) {
   const SolvedSimulation& simulation = d.simulation;
   Json json{{"kind", kind_of(simulation)}};
@@ -152,6 +160,7 @@ std::string diagnosis_json(const Diagnosis& d) {
                                     {"told_apart_by", a.told_apart_by},
                                     {"details", details}});
   }
+  if (!d.nearest.empty()) json["nearest"] = nearest(d);
   json["remaining"] = to_json(d.remaining);
   json["not_tried"] = Json::array();
   for (const auto& e : d.not_tried) json["not_tried"].push_back({{"effect", e.effect}, {"why", e.why}});

@@ -1,5 +1,6 @@
 #include "diagnosis/recording/driven_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/recording/median.h"
@@ -69,6 +70,29 @@ void find_speeds(Samples& samples, const SampleRun& run) {
   }
 }
 
+/// Rates of the displacement under normal load: slopes of lines through the neighbours of one segment.
+void find_approach_rates(Samples& samples, const SampleRun& run) {
+  constexpr std::size_t least_reach = 3, of_a_segment = 50;
+  const std::vector<double> time = spread_times(samples, run);
+  const auto displacement = [&](std::size_t i) { return samples.list[i].normal_displacement; };
+  for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+    while (to < run.end && samples.list[to].part == samples.list[from].part) ++to;
+    const std::size_t reach = std::max(least_reach, (to - from) / of_a_segment);
+    for (std::size_t i = from; i < to; ++i) {
+      const std::size_t first = i < from + reach ? from : i - reach, end = std::min(to, i + reach + 1);
+      const auto count = static_cast<double>(end - first);
+      double mean_time = 0, mean = 0, sum = 0, squares = 0;
+      for (std::size_t k = first; k < end; ++k)
+        mean_time += time[k - run.begin] / count, mean += displacement(k) / count;
+      for (std::size_t k = first; k < end; ++k) {
+        const double off = time[k - run.begin] - mean_time;
+        sum += off * (displacement(k) - mean), squares += off * off;
+      }
+      samples.list[i].approach = squares > 0 ? sum / squares : 0;
+    }
+  }
+}
+
 /// Direction of a segment by its name, else that of its ends: single samples jitter.
 int direction_of_segment(const std::string& name, double travel, int direction_before) {
   if (name == "hold") return direction_before == 0 ? 1 : direction_before;
@@ -119,6 +143,7 @@ void follow_motion(Samples& samples, const SampleRun& run, const DrivenBy& by) {
   find_reversals(samples, run, by.has_cycles, driven);
   follow_cycles(samples, run, driven);
   if (!by.has_speed && by.has_time && !by.normal) find_speeds(samples, run);
+  if (by.normal && by.has_time && !by.force) find_approach_rates(samples, run);
 }
 
 }  // namespace asperity

@@ -20,6 +20,14 @@ int different(std::vector<double> values) {
   return count;
 }
 
+/// The value that a part of them stays below; 0 of none.
+double quantile(std::vector<double> values, double part) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const auto last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(part * last))];
+}
+
 void take_bodies(Experiment& e, const Recording& recording) {
   e.mode = recording.mode;
   e.particle = {recording.particle.youngs_modulus, recording.particle.poissons_ratio};
@@ -34,7 +42,7 @@ void take_bodies(Experiment& e, const Recording& recording) {
 
 /// What all samples together say, beside what each alone widens in the experiment.
 struct Gathered {
-  std::vector<double> forces, speeds;
+  std::vector<double> forces, speeds, approaches;
   std::map<std::string, std::vector<double>> set;  ///< by channel that an experimenter sets
   bool forward = false, backward = false;
   double deepest = 0, shallowest = 0;
@@ -52,6 +60,7 @@ void take_sample(Experiment& e, Gathered& all, const Sample& s, bool response_is
   if (s.counts) e.largest_response = std::max(e.largest_response, std::abs(s.response));
   e.hold_duration = std::max(e.hold_duration, s.hold_time);
   if (s.speed > 0) all.speeds.push_back(s.speed);
+  if (s.approach != 0) all.approaches.push_back(std::abs(s.approach));
   e.cycles = std::max(e.cycles, s.cycle + 1);
   e.smoothest = std::min(e.smoothest, s.rms_roughness);
   e.roughest = std::max(e.roughest, s.rms_roughness);
@@ -109,13 +118,10 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
   e.has_both_directions = all.forward && all.backward;
   e.has_unloading = recording.mode == Motion::normal && all.backward;
   e.has_off_contact = recording.mode == Motion::normal && all.shallowest < 0;
-  if (!all.speeds.empty()) {
-    constexpr double outermost = 0.05;  // beyond, speeds are those of single steps near turns
-    std::sort(all.speeds.begin(), all.speeds.end());
-    const auto count = static_cast<double>(all.speeds.size() - 1);
-    e.slowest = all.speeds[static_cast<std::size_t>(std::lround(outermost * count))];
-    e.fastest = all.speeds[static_cast<std::size_t>(std::lround((1 - outermost) * count))];
-  }
+  constexpr double outermost = 0.05;  // beyond, speeds are those of single steps near turns
+  e.slowest = quantile(all.speeds, outermost);
+  e.fastest = quantile(all.speeds, 1 - outermost);
+  e.fastest_approach = quantile(all.approaches, 1 - outermost);
   if (!std::isfinite(e.smallest_force)) e.smallest_force = e.typical_force;
   return e;
 }

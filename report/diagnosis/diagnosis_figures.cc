@@ -77,7 +77,7 @@ double residual_limit(const ComparedTable& table) {
   return 1.05 * limit;
 }
 
-std::string response_figure(const ComparedTable& table, bool improved) {
+std::string response_figure(const ComparedTable& table, Beside beside) {
   const DisplayUnit x = display_unit(table.variable_unit, largest_of(table.x)),
                     y = display_unit(table.unit, largest_of(table.recorded));
   Chart chart{axis_label(table.variable, x), axis_label(table.channel, y)};
@@ -86,21 +86,26 @@ std::string response_figure(const ComparedTable& table, bool improved) {
   recorded.label = "recorded";
   recorded.colour = recorded_colour;
   Series before = series_of(table, table.before, x.factor, y.factor, is_trace(table));
-  before.label = improved ? "simulation as named" : "simulation";
+  before.label = beside == Beside::what_was_left_out ? "simulation as named" : "simulation";
   before.colour = before_colour;
   if (before.style == Series::Style::line) before.style = Series::Style::dashed;
   chart.series = {recorded, before};
-  if (improved) {
+  if (beside != Beside::nothing) {
     Series after = series_of(table, table.after, x.factor, y.factor, is_trace(table));
-    after.label = "with what was left out";
+    after.label = beside == Beside::nearest ? "nearest, not named" : "with what was left out";
     after.colour = after_colour;
     chart.series.push_back(after);
   }
-  return figure_html("Response", to_svg(chart),
-                     improved
-                         ? "Grey: what was recorded. Orange: the simulation alone, calibrated as it may be. "
-                           "Blue: with the effects named below. The nearer a curve is to grey, the better."
-                         : "Grey: what was recorded. Orange: the simulation, calibrated as it may be.");
+  std::string caption = "Grey: what was recorded. Orange: the simulation";
+  if (beside == Beside::what_was_left_out)
+    caption +=
+        " alone, calibrated as it may be. Blue: with the effects named below. The nearer a curve is to grey, "
+        "the better.";
+  else if (beside == Beside::nearest)
+    caption += ", calibrated as it may be. Blue: the nearest that the catalogue has, which is no answer.";
+  else
+    caption += ", calibrated as it may be.";
+  return figure_html("Response", to_svg(chart), caption);
 }
 
 std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated,

@@ -16,8 +16,10 @@ DisplayUnit display_unit(const std::string& si, double largest);
 /// "normal displacement" of normal_displacement.
 std::string channel_words(const std::string& channel);
 
-/// The measured response and the model's, with the improved one if asked.
-std::string response_figure(const ComparedTable& table, bool improved);
+/// What stands beside the simulation alone.
+enum class Beside { nothing, what_was_left_out, nearest };
+/// The measured response and the model's, with that beside it if there is one.
+std::string response_figure(const ComparedTable& table, Beside beside);
 /// Residual over noise; samples within `regions` are set off.
 /// limit: ends of the axis, residual over noise [-].
 std::string residual_figure(const ComparedTable& table, const std::vector<double>& simulated,

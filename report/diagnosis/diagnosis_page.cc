@@ -141,41 +141,69 @@ std::string left_out_section(const Diagnosis& d) {
   if (d.left_out.empty())
     body =
         paragraph(d.verdict == Verdict::no_mismatch ? "Nothing that these data can show."
-                                                    : "Nothing of the catalogue: no effect, and no two or "
-                                                      "three together, brings the residuals down to noise.");
+                                                    : "Nothing of the catalogue: no effect, and no few of "
+                                                      "them together, brings the residuals down to noise.");
   return section_html(
       d.verdict == Verdict::ambiguous ? "What was left out, if the likeliest is right" : "What was left out",
       body);
 }
 
-std::string better_section(const Diagnosis& d) {
-  const bool improved = !d.left_out.empty();
-  Table table{{"", "simulation alone", improved ? "with what was left out" : ""}};
-  if (!improved) table.head.pop_back();
+Beside beside_simulation(const Diagnosis& d) {
+  return !d.left_out.empty()  ? Beside::what_was_left_out
+         : !d.nearest.empty() ? Beside::nearest
+                              : Beside::nothing;
+}
+
+Table fits_table(const Diagnosis& d) {
+  const Beside beside = beside_simulation(d);
+  const FitQuality& other = beside == Beside::nearest ? d.with_nearest : d.improved;
+  Table table{{"", "simulation alone"}};
+  if (beside != Beside::nothing)
+    table.head.push_back(beside == Beside::nearest ? "with the nearest, not named"
+                                                   : "with what was left out");
   const auto row = [&](const std::string& name, const std::string& before, const std::string& after) {
     std::vector<std::string> cells{name, before};
-    if (improved) cells.push_back(after);
+    if (beside != Beside::nothing) cells.push_back(after);
     table.rows.push_back(cells);
   };
-  row("chi-square per sample, in the fit", number(d.baseline.chi2_reduced), number(d.improved.chi2_reduced));
+  row("chi-square per sample, in the fit", number(d.baseline.chi2_reduced), number(other.chi2_reduced));
   row("chi-square per sample, kept out of the fit", number(d.baseline.held_out_chi2_reduced),
-      number(d.improved.held_out_chi2_reduced));
+      number(other.held_out_chi2_reduced));
   for (const auto& [channel, rms] : d.baseline.rms) {
-    const auto after = d.improved.rms.find(channel);
+    const auto after = other.rms.find(channel);
     row("RMS residual of " + channel_words(channel), with_unit(rms, unit_of_channel(channel)),
-        after == d.improved.rms.end() ? "" : with_unit(after->second, unit_of_channel(channel)));
+        after == other.rms.end() ? "" : with_unit(after->second, unit_of_channel(channel)));
   }
-  std::string body = table_html(table);
+  return table;
+}
+
+/// What fits best and is not named, with its numbers.
+std::string nearest_words(const Diagnosis& d) {
+  std::string text = "The nearest that the catalogue has:";
+  for (const auto& effect : d.nearest) {
+    text += (&effect == &d.nearest.front() ? " " : "; ") + ("<b>" + escaped(effect.title) + "</b>");
+    for (const auto& p : effect.parameters)
+      text += ", " + escaped(channel_words(p.name)) + " " + with_unit(p.value, p.unit);
+  }
+  return text + ". It leaves more than noise, so that neither its names nor its numbers are an answer.";
+}
+
+std::string better_section(const Diagnosis& d) {
+  const Beside beside = beside_simulation(d);
+  const bool improved = beside == Beside::what_was_left_out;
+  std::string body = beside == Beside::nearest ? paragraph(nearest_words(d)) : "";
+  body += table_html(fits_table(d));
   for (const auto& compared : d.compared) {
     if (d.compared.size() > 1) body += "<h3>" + escaped(compared.table) + "</h3>";
-    body += response_figure(compared, improved);
+    body += response_figure(compared, beside);
     const double limit = residual_limit(compared);
     std::vector<std::string> figures{
         residual_figure(compared, compared.before, d.mismatch,
-                        improved ? "Residual of the simulation alone" : "Residual", limit)};
-    if (improved)
-      figures.push_back(
-          residual_figure(compared, compared.after, d.remaining, "Residual with what was left out", limit));
+                        beside == Beside::nothing ? "Residual" : "Residual of the simulation alone", limit)};
+    if (beside != Beside::nothing)
+      figures.push_back(residual_figure(
+          compared, compared.after, improved ? d.remaining : std::vector<MismatchRegion>{},
+          improved ? "Residual with what was left out" : "Residual with the nearest, not named", limit));
     body += side_by_side(figures);
   }
   return section_html(improved ? "How much better the fit is" : "Recording and simulation", body);
@@ -226,13 +254,22 @@ std::string how_section(const Diagnosis& d) {
   return section_html("How sure one can be", body);
 }
 
+/// Its material, or else its modulus.
+template <class Body>
+std::string body_words(const Body& body, const std::string& before, const std::string& after) {
+  return before +
+         (body.material.empty() ? "a body of " + with_unit(body.youngs_modulus, "Pa")
+                                : escaped(body.material)) +
+         after;
+}
+
 std::string subtitle(const Recording& recording) {
   const std::time_t now = std::time(nullptr);
   char date[64];
   std::strftime(date, sizeof date, "asperity diagnose, written %Y-%m-%d %H:%M", std::localtime(&now));
   return "mode " + name_of(recording.mode) + ", particle of radius " +
-         with_unit(recording.particle.radius, "m") + " (" + escaped(recording.particle.material) + ") on " +
-         escaped(recording.substrate.material) + " · " + date;
+         with_unit(recording.particle.radius, "m") + body_words(recording.particle, " (", ")") + " on " +
+         body_words(recording.substrate, "", "") + " · " + date;
 }
 
 }  // namespace

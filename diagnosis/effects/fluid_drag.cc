@@ -1,0 +1,39 @@
+// The fluid around the probe resists its motion: f = f_contact + b d'(t).
+#include "diagnosis/catalogue/effect.h"
+
+namespace asperity {
+namespace {
+
+class FluidDrag : public Effect {
+ public:
+  const EffectDescription& description() const override {
+    static const EffectDescription d{
+        "fluid_drag",
+        "Drag of the fluid",
+        "f = f_contact + b dd/dt",
+        "Alcaraz et al. 2002, eq. (2)",
+        "Liquid or air around the cantilever resists its motion. The force is above its value at rest on "
+        "approach and below it on retraction, in proportion to the speed, far off the surface too; it must "
+        "not be taken for adhesion or for a lossy contact.",
+        EffectKind::instrument,
+        {Motion::normal}};
+    return d;
+  }
+  bool can_show(const Experiment& e) const override {
+    return e.has_off_contact && e.has_trace && e.has_time && e.has_unloading && e.response_is_force &&
+           e.fastest_approach > 0;
+  }
+  std::vector<EffectParameter> parameters(const Experiment& e) const override {
+    const double most = e.largest_response / e.fastest_approach;
+    return {{"coefficient", "N s/m", "b", 0, most, false, {0.005 * most, 0.05 * most}, false, 0}};
+  }
+  void assemble(Mechanics& m, const double* p) const override {
+    const double coefficient = p[0];
+    m.normal.additions.push_back([coefficient](const Sample& s, double) { return coefficient * s.approach; });
+  }
+};
+
+}  // namespace
+}  // namespace asperity
+
+ASPERITY_EFFECT(fluid_drag, FluidDrag)
