@@ -70,9 +70,11 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
   return list;
 }
 
-bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit) {
+bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit,
+                               const std::vector<const Effect*>& known) {
   for (const DiagnosedEffect& effect : described_effects(problem, fit, 1)) {
     const Effect& of = effect_of(effect.id);
+    if (std::find(known.begin(), known.end(), &of) != known.end()) continue;
     // The case's own value is one among others: its interval holds a mesh error that the evidence knows.
     if (of.is_another_value()) continue;
     for (const EffectParameter& admissible : of.parameters(problem.experiment))
@@ -126,8 +128,9 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
         printed("neighbouring samples share their noise (correlation %.2f), so that they count as fewer",
                 correlation));
   if (outliers > 0)
-    remarks.push_back(std::to_string(outliers) + (outliers == 1 ? " sample lies" : " samples lie") +
-                      " far off their neighbours and do not count");
+    remarks.push_back(outliers == 1 ? "1 sample lies far off its neighbours and does not count"
+                                    : std::to_string(outliers) +
+                                          " samples lie far off their neighbours and do not count");
   if (!problem.noise.is_absolute)
     remarks.push_back(
         "the noise is not known and too few rows repeat to estimate it: explanations are compared with each "

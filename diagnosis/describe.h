@@ -12,8 +12,10 @@ namespace asperity {
 std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
                                                double probability);
 
-/// Whether an interval that described_effects() gives holds the value with which there is no effect.
-bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit);
+/// Whether an interval that described_effects() gives holds the value with which there is no effect; not
+/// asked of those that are `known` to be there.
+bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit,
+                               const std::vector<const Effect*>& known);
 
 /// Numbers of what a fit leaves, and of what was held out: deviations as they are, chi-square beyond what is
 /// likely of another surface of the case.

@@ -19,8 +19,9 @@
 namespace asperity {
 namespace {
 
-/// Part of the excess of held-out data that one, two, three effects must take away to be named though
-/// structure remains: with more of them, something that none of them is can be imitated better.
+/// Part of the excess of held-out data that one, two, three effects (beside what samples off contact show by
+/// themselves) must take away to be named though structure remains: with more of them, something that none of
+/// them is can be imitated better.
 constexpr double part_that_counts[] = {0, 0.7, 0.95, 0.98};
 
 class Diagnoser {
@@ -58,7 +59,9 @@ class Diagnoser {
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
     judged_ = judged_sets(problem_, search_, *scanner_of_noise, blocks, baseline_held_out_,
-                          [&](const ModelFit& fit) { return is_described_as_no_effect(problem_, fit); });
+                          [&](const ModelFit& fit) {
+                            return is_described_as_no_effect(problem_, fit, search_.shown_off_contact);
+                          });
     if (judged_.list.empty() && !seems_noise) seems_noise = is_noise_that_neighbours_share(before);
     describe_common(before);
     if (!judged_.list.empty())
@@ -193,8 +196,12 @@ class Diagnoser {
 
   /// The best fit of an unexplained recording, beside the simulation and not in its place.
   void show_nearest() {
-    const ModelFit best =
-        judged_.list.empty() ? finished(problem_, search_.candidates.front().fit) : judged_.list.front().fit;
+    const auto within_bounds =
+        std::find_if(search_.candidates.begin(), search_.candidates.end(),
+                     [](const Candidate& candidate) { return candidate.fit.stopped_at().empty(); });
+    const Candidate& nearest =
+        within_bounds == search_.candidates.end() ? search_.candidates.front() : *within_bounds;
+    const ModelFit best = finished(problem_, nearest.fit);
     result_.nearest = described_effects(problem_, best, 0);
     result_.with_nearest =
         quality_of(problem_, best, predict_held_out(problem_, best, blocks_of(problem_.samples)));
@@ -217,8 +224,7 @@ class Diagnoser {
         !problem_.noise.is_absolute || (left.p_value > significance && chi2 < largest_of_noise);
     const double gained = (baseline_held_out_.cost - chosen.held_out.cost) /
                           std::max(1e-12, baseline_held_out_.cost - std::min(1.0, chosen.held_out.cost));
-    if (!clean &&
-        gained < part_that_counts[std::min<std::size_t>(3, chosen.fit.explanation->effects().size())]) {
+    if (!clean && gained < part_that_counts[std::min<std::size_t>(3, search_.others_in(chosen.fit))]) {
       nothing_named(Verdict::unexplained, std::vector<MismatchRegion>(result_.mismatch));
       return;
     }
@@ -278,6 +284,10 @@ class Diagnoser {
       result_.calibrated.push_back(calibrated.parameter(k, 1));
     result_.noise = described_noise(problem_);
     result_.remarks = remarks_on_noise(problem_, prepared_.outliers);
+    if (prepared_.in_jumps > 0)
+      result_.remarks.push_back(std::to_string(prepared_.in_jumps) +
+                                " samples in which the probe jumps, faster than it is driven, do not count: "
+                                "it is not in equilibrium there");
     constexpr std::size_t most_said = 3;
     for (std::size_t i = 0; i < std::min(most_said, judged_.inconsistent.size()); ++i)
       result_.remarks.push_back(

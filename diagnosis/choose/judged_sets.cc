@@ -62,8 +62,9 @@ double apart(const FitProblem& problem, const ModelFit& one, const ModelFit& oth
   return std::sqrt(sum);
 }
 
-/// Every member earns its place: without it the evidence is clearly less, and a part of the mismatch comes
-/// back that is either large or more than the laws of the others may be off by.
+/// Every member earns its place, but for what samples off contact show by themselves: without it the evidence
+/// is clearly less, and a part of the mismatch comes back that is either large or more than the laws of the
+/// others may be off by.
 bool every_member_counts(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
                          const Candidate& candidate) {
   const auto leaves_noise = [&](const Candidate& of) {
@@ -73,6 +74,7 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
   const auto& effects = candidate.fit.explanation->effects();
   const bool complete = effects.size() > 1 && leaves_noise(candidate);
   for (std::size_t k = 0; k < effects.size(); ++k) {
+    if (search.is_shown_off_contact(effects[k])) continue;
     Effects without = effects;
     without.erase(without.begin() + static_cast<long>(k));
     const Candidate* smaller = without.empty() ? &search.alone : find(search, without);
@@ -84,9 +86,11 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
       return false;
     const double gained = (smaller->cost - candidate.cost) / search.overdispersion;
     if (without.empty() || effects[k]->is_another_value()) continue;
+    const double least_gained = (smaller->least_cost() - candidate.least_cost()) / search.overdispersion;
     const double whole = excess(problem, search.alone) / search.overdispersion;
     const double rest = excess(problem, *smaller) / search.overdispersion;
-    if (!complete && gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest)) return false;
+    if (!complete && least_gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest))
+      return false;
     // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
     const bool is_plain = effects[k]->description().kind == EffectKind::instrument &&
                           candidate.score_as_stated > smaller->score_as_stated + plain_evidence;
@@ -137,6 +141,7 @@ JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, co
     if (judged.list.size() == most_judged) break;
     if (candidate.score < search.alone.score + clear_evidence) break;
     if (!judged.list.empty() && candidate.score < judged.list.front().candidate->score - 4 * as_good) break;
+    if (!search.holds_what_is_off_contact(candidate.fit)) continue;
     if (!candidate.fit.is_itself() || !every_member_counts(problem, search, scanner, candidate)) continue;
     JudgedSet set{&candidate, finished(problem, candidate.fit), {}};
     if (const std::string parameter = set.fit.stopped_at(); !parameter.empty()) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "diagnosis/choose/law_error.h"
+#include "diagnosis/choose/off_contact.h"
 
 namespace asperity {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 using Effects = std::vector<const Effect*>;
 
 constexpr std::size_t widest_beam_of_singles = 8, widest_beam_of_pairs = 3, largest_set = 3;
-/// With samples off contact, which show what an instrument adds apart from the contact.
-constexpr std::size_t largest_set_off_contact = 6;
 
 /// Log odds against each effect that other causes look like in these data: less than as_good, so that it
 /// stays a candidate beside its equals.
@@ -62,7 +61,7 @@ void score_all(SearchResult& result, const FitProblem& problem) {
   // Of what is left, not of the room that a mesh or the bounds of laws have.
   const auto misfit = [&](const Candidate& of) {
     if (has_shared_error(problem)) return of.left(problem);
-    return of.costs.empty() ? of.cost : *std::min_element(of.costs.begin(), of.costs.end());
+    return of.least_cost();
   };
   double least = misfit(result.alone);
   for (const auto& candidate : result.candidates) least = std::min(least, misfit(candidate));
@@ -152,26 +151,24 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
 
 namespace {
 
-/// Sets of one size that are not fitted yet, each with the smaller fit that it grows from.
-class SetsOfSize {
+/// Sets that are not fitted yet, each with the smaller fit that it grows from by one effect.
+class LargerSets {
  public:
-  SetsOfSize(const SearchResult& result, std::set<Effects>& tried, std::size_t size) : tried_(tried) {
-    const std::size_t beam = size == 2             ? widest_beam_of_singles
-                             : size <= largest_set ? widest_beam_of_pairs
-                                                   : 1;
-    for (const auto* candidate : best_of_size(result, size - 1, beam)) grown_.push_back(candidate->fit);
-    if (size == 1) grown_.push_back(result.alone.fit);
+  LargerSets(std::set<Effects>& tried, const std::vector<const Candidate*>& from) : tried_(tried) {
+    for (const auto* candidate : from) grown_.push_back(candidate->fit);
   }
 
-  /// With one effect more.
   void grow_by(const Effect* effect) {
     for (const ModelFit& fit : grown_) {
       Effects set = fit.explanation->effects();
       if (std::find(set.begin(), set.end(), effect) != set.end()) continue;
       set.push_back(effect);
-      std::sort(set.begin(), set.end());
-      if (Explanation::compatible(set) && tried_.insert(set).second) sets_.push_back({set, &fit});
+      add(set, fit);
     }
+  }
+  void add(Effects set, const ModelFit& near) {
+    std::sort(set.begin(), set.end());
+    if (Explanation::compatible(set) && tried_.insert(set).second) sets_.push_back({set, &near});
   }
 
   std::vector<Candidate> fitted(const FitProblem& problem, const LawErrors& laws,
@@ -193,8 +190,7 @@ class SetsOfSize {
 };
 
 std::string sets_in_words(std::size_t size) {
-  static const char* const words[] = {"effects", "pairs of effects", "sets of three"};
-  return size <= std::size(words) ? words[size - 1] : "sets of " + std::to_string(size);
+  return size == 1 ? "effects" : size == 2 ? "pairs of effects" : "sets of three";
 }
 
 Effects admissible_effects(const Experiment& experiment) {
@@ -205,53 +201,104 @@ Effects admissible_effects(const Experiment& experiment) {
   return admissible;
 }
 
-/// Whether larger sets are looked for: only where those of this size leave structure, and those of more than
-/// three only as long as each further member is plain.
-bool is_worth_growing(const SearchResult& result, std::size_t size, bool leaves_noise) {
-  if (size < largest_set) return true;
-  constexpr double plain_evidence = 25;
-  const auto best = best_of_size(result, size, 1), smaller = best_of_size(result, size - 1, 1);
-  return !leaves_noise && !best.empty() && !smaller.empty() &&
-         best.front()->score > smaller.front()->score + plain_evidence;
-}
+class Search {
+ public:
+  Search(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
+         const std::function<void(const std::string&)>& progress)
+      : problem_(problem),
+        is_noise_(is_noise),
+        progress_(progress),
+        laws_(problem.samples),
+        admissible_(admissible_effects(problem.experiment)) {
+    result_.alone.fit = baseline;
+    result_.alone.cost = baseline.cost;
+    if (problem.correction) cost_explanation(result_.alone, problem, laws_, baseline);
+    result_.admissible = admissible_.size();
+  }
+
+  SearchResult run() {
+    if (!leaves_noise_after_sets_of_three()) grow_from_what_is_off_contact();
+    refit_within_larger(result_, problem_, laws_);
+    return std::move(result_);
+  }
+
+ private:
+  /// True where nothing more needs to be looked for.
+  bool leaves_noise_after_sets_of_three() {
+    bool leaves_noise = false;  // two effects do: a third is only another value of the simulation
+    for (std::size_t size = 1; size <= largest_set; ++size) {
+      LargerSets sets(tried_, size == 1
+                                  ? std::vector<const Candidate*>{&result_.alone}
+                                  : best_of_size(result_, size - 1,
+                                                 size == 2 ? widest_beam_of_singles : widest_beam_of_pairs));
+      for (const Effect* effect : admissible_)
+        if (!leaves_noise || effect->is_another_value()) sets.grow_by(effect);
+      fit(sets, sets_in_words(size));
+      if (result_.candidates.empty()) return true;
+      // Noise of which no effect takes anything away holds no pairs either.
+      constexpr double something = 2;
+      if (size == 1 && is_noise_(result_.alone.fit) &&
+          result_.candidates.front().score < result_.alone.score + something)
+        return true;
+      // Three effects are looked for only where two leave structure.
+      leaves_noise = size >= 2 && is_noise_(result_.candidates.front().fit);
+    }
+    return leaves_noise;
+  }
+
+  /// Up to three effects beside several of the instrument that samples off contact show by themselves: a
+  /// large mismatch in contact would hide them from each other.
+  void grow_from_what_is_off_contact() {
+    Effects shown = shown_off_contact(problem_, result_.alone.fit, admissible_);
+    if (shown.size() < 2) return;
+    std::sort(shown.begin(), shown.end());
+    result_.shown_off_contact = shown;
+    LargerSets first(tried_, {});
+    first.add(shown, result_.alone.fit);
+    fit(first, "set that samples off contact show");
+    for (std::size_t more = 1; more <= largest_set; ++more) {
+      LargerSets sets(tried_, best_with(shown, more - 1));
+      for (const Effect* effect : admissible_) sets.grow_by(effect);
+      fit(sets, "sets beside what samples off contact show");
+      if (more >= 2 && is_noise_(result_.candidates.front().fit)) return;
+    }
+  }
+
+  /// The best sets of these and so many others.
+  std::vector<const Candidate*> best_with(const Effects& shown, std::size_t others) const {
+    std::vector<const Candidate*> list;
+    for (const auto& candidate : result_.candidates) {
+      Effects have = candidate.fit.explanation->effects();
+      std::sort(have.begin(), have.end());
+      if (have.size() == shown.size() + others &&
+          std::includes(have.begin(), have.end(), shown.begin(), shown.end()) &&
+          list.size() < widest_beam_of_pairs)
+        list.push_back(&candidate);
+    }
+    return list;
+  }
+
+  void fit(const LargerSets& sets, const std::string& words) {
+    if (progress_ && sets.count() > 0) progress_("fitting " + std::to_string(sets.count()) + " " + words);
+    const std::vector<Candidate> fitted = sets.fitted(problem_, laws_, result_.alone.fit);
+    result_.candidates.insert(result_.candidates.end(), fitted.begin(), fitted.end());
+    score_all(result_, problem_);
+  }
+
+  const FitProblem& problem_;
+  const IsNoise& is_noise_;
+  const std::function<void(const std::string&)>& progress_;
+  LawErrors laws_;
+  Effects admissible_;
+  std::set<Effects> tried_;
+  SearchResult result_;
+};
 
 }  // namespace
 
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
                             const std::function<void(const std::string&)>& progress) {
-  SearchResult result;
-  result.alone.fit = baseline;
-  const LawErrors laws(problem.samples);
-  result.alone.cost = baseline.cost;
-  if (problem.correction) cost_explanation(result.alone, problem, laws, baseline);
-  const Effects admissible = admissible_effects(problem.experiment);
-  result.admissible = admissible.size();
-  std::set<Effects> tried;
-  bool leaves_noise = false;  // two effects do: a third is only another value of the simulation
-  const std::size_t largest = problem.experiment.has_off_contact ? largest_set_off_contact : largest_set;
-  for (std::size_t size = 1; size <= largest; ++size) {
-    SetsOfSize sets(result, tried, size);
-    for (const Effect* effect : admissible) {
-      if (leaves_noise && !effect->is_another_value()) continue;
-      if (size > largest_set && effect->description().kind != EffectKind::instrument) continue;
-      sets.grow_by(effect);
-    }
-    if (progress && sets.count() > 0)
-      progress("fitting " + std::to_string(sets.count()) + " " + sets_in_words(size));
-    const std::vector<Candidate> fitted = sets.fitted(problem, laws, baseline);
-    result.candidates.insert(result.candidates.end(), fitted.begin(), fitted.end());
-    score_all(result, problem);
-    if (result.candidates.empty()) break;
-    // Noise of which no effect takes anything away holds no pairs either.
-    constexpr double something = 2;
-    if (size == 1 && is_noise(baseline) && result.candidates.front().score < result.alone.score + something)
-      break;
-    // Three effects are looked for only where two leave structure.
-    leaves_noise = size >= 2 && is_noise(result.candidates.front().fit);
-    if (!is_worth_growing(result, size, leaves_noise)) break;
-  }
-  refit_within_larger(result, problem, laws);
-  return result;
+  return Search(problem, baseline, is_noise, progress).run();
 }
 
 void rescore(SearchResult& result, const FitProblem& problem) {

@@ -1,5 +1,5 @@
 // Which effects: sets of up to three, by evidence, from the best of each size (a beam, so that a pair may win
-// whose members do little alone), and where samples off contact show it, what the instrument adds besides;
+// whose members do little alone), and of up to three beside what samples off contact show of the instrument;
 // each set with what leaving one of its members out again would cost.
 #pragma once
 
@@ -21,6 +21,8 @@ struct Candidate {
   /// are off by what they state, or by any part of it [-].
   double score_as_stated = 0, score = 0;
 
+  /// The least of the costs over what the laws may be off by [-].
+  double least_cost() const { return costs.empty() ? cost : *std::min_element(costs.begin(), costs.end()); }
   /// -2 log likelihood of what is left: of a case that was slid beyond what its mesh may be off by, which the
   /// cost of every set allows for [-].
   double left(const FitProblem& problem) const { return has_shared_error(problem) ? cost - room : fit.cost; }
@@ -35,10 +37,26 @@ struct SearchResult {
   Candidate alone;                    ///< the simulation without any effect
   std::vector<Candidate> candidates;  ///< all sets that were fitted, the best first
   std::size_t admissible = 0;         ///< effects that these data could show
+  /// What samples off contact show of the instrument, where it is more than one effect and sets of three
+  /// leave structure.
+  std::vector<const Effect*> shown_off_contact;
   /// chi^2 of the best fit per sample, with what its laws are likely off by, at least 1: by it evidence is
   /// tempered [-].
   double overdispersion = 1;
 
+  bool is_shown_off_contact(const Effect* effect) const {
+    return std::find(shown_off_contact.begin(), shown_off_contact.end(), effect) != shown_off_contact.end();
+  }
+  /// How many of a set's effects are not shown off contact [-].
+  std::size_t others_in(const ModelFit& fit) const {
+    const auto& effects = fit.explanation->effects();
+    return static_cast<std::size_t>(std::count_if(
+        effects.begin(), effects.end(), [&](const Effect* effect) { return !is_shown_off_contact(effect); }));
+  }
+  /// Whether a set has all that is shown off contact, without which it is no answer.
+  bool holds_what_is_off_contact(const ModelFit& fit) const {
+    return fit.explanation->effects().size() == shown_off_contact.size() + others_in(fit);
+  }
   /// Whether a set is better than none.
   bool explains() const { return !candidates.empty() && candidates.front().score > alone.score; }
 };

@@ -1,4 +1,6 @@
 // The fluid around the probe resists its motion: f = f_contact + b d'(t).
+#include <algorithm>
+
 #include "diagnosis/catalogue/effect.h"
 
 namespace asperity {
@@ -24,7 +26,8 @@ class FluidDrag : public Effect {
            e.fastest_approach > 0;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    const double most = e.largest_response / e.fastest_approach;
+    constexpr double slow = 1e-12;  // where nothing moves, for which it is not asked [m/s]
+    const double most = e.largest_response / std::max(e.fastest_approach, slow);
     return {{"coefficient", "N s/m", "b", 0, most, false, {0.005 * most, 0.05 * most}, false, 0}};
   }
   void assemble(Mechanics& m, const double* p) const override {

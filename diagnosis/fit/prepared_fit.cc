@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "diagnosis/recording/probe_jumps.h"
 
 namespace asperity {
 namespace {
@@ -50,9 +51,9 @@ Samples samples_for_search(const Samples& all) {
   return thinned(few, samples_of_search);
 }
 
-FitProblem problem_of(const Recording& recording) {
+FitProblem problem_of(const Recording& recording, Samples samples) {
   FitProblem problem;
-  problem.samples = samples_of(recording);
+  problem.samples = std::move(samples);
   problem.experiment = experiment_of(recording, problem.samples);
   if (!(problem.experiment.largest_force > 0))
     throw InputError(
@@ -82,7 +83,9 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
   say("reading " + std::to_string(recording.tables.size()) +
       (recording.tables.size() == 1 ? " table" : " tables"));
   PreparedFit prepared;
-  FitProblem& problem = prepared.problem = problem_of(recording);
+  Samples samples = samples_of(recording);
+  if (recording.mode == Motion::normal) prepared.in_jumps = mark_probe_jumps(samples);
+  FitProblem& problem = prepared.problem = problem_of(recording, std::move(samples));
   if (correct) correct(problem);
   say("simulating " + std::to_string(problem.samples.list.size()) + " samples with " +
       (problem.correction ? "the case's solution" : "the laws named"));

@@ -13,6 +13,7 @@ struct PreparedFit {
   ModelFit baseline;        ///< the recording's own simulation
   Noise short_scale_noise;  ///< before anything is learned from residuals that are noise
   std::size_t outliers = 0;
+  std::size_t in_jumps = 0;  ///< samples that do not count because the probe jumps (probe_jumps.h)
 
   /// Noise from what a fit leaves, where that is noise, of at most `off` times the deviation estimated first
   /// [-]; false if nothing changes.

@@ -9,7 +9,7 @@ namespace asperity {
 namespace {
 
 /// Force [N] by which a solution differs from a reduced law, over the displacement [m].
-class ForceCurve {
+class ForceOverApproach {
  public:
   void add(double displacement, double force) { points_.emplace_back(displacement, force); }
   void finish() {
@@ -34,7 +34,7 @@ class ForceCurve {
 
 /// What a solution says beyond a reduced law: forces at displacements, and where it opens.
 struct ForceDifference {
-  ForceCurve loading, unloading;
+  ForceOverApproach loading, unloading;
   double opens_later = 0;  ///< displacement at which it parts, minus that of the reduced law [m]
 };
 
@@ -52,7 +52,7 @@ class SolvedAttraction : public NormalContact {
   double release() const override { return std::min(0.0, reduced_->parting() + difference_->opens_later); }
   double force(double d) const override {
     if (d < (touches_ ? release() : 0.0)) return 0;
-    const ForceCurve& branch = d >= deepest_ ? difference_->loading : difference_->unloading;
+    const ForceOverApproach& branch = d >= deepest_ ? difference_->loading : difference_->unloading;
     return reduced_->held_force(d) + branch.at(d);
   }
   void begin_step(double time_step) override { reduced_->begin_step(time_step); }

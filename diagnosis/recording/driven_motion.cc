@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/recording/control_noise.h"
 #include "diagnosis/recording/median.h"
 #include "diagnosis/recording/monotonic_path.h"
 
@@ -70,23 +71,37 @@ void find_speeds(Samples& samples, const SampleRun& run) {
   }
 }
 
+/// Neighbours on each side over which a line's slope tells the rate of motion to a twentieth of its mean
+/// size, as far as a fiftieth of the samples.
+std::size_t reach_of_rates(const std::vector<double>& path) {
+  constexpr double asked = 0.05, of_samples = 50;
+  const auto last = static_cast<double>(std::max<std::size_t>(1, path.size() - 1));
+  const auto [low, high] = std::minmax_element(path.begin(), path.end());
+  const double noise = control_noise(path), wanted = asked * (*high - *low) / last;  // of a slope per sample
+  std::size_t reach = 1;
+  const auto slope_noise = [&](double r) { return noise / std::sqrt(r * (r + 1) * (2 * r + 1) / 3); };
+  while (static_cast<double>(reach) < last / of_samples && slope_noise(static_cast<double>(reach)) > wanted)
+    ++reach;
+  return reach;
+}
+
 /// Rates of the displacement under normal load: slopes of lines through the neighbours of one segment.
 void find_approach_rates(Samples& samples, const SampleRun& run) {
-  constexpr std::size_t least_reach = 3, of_a_segment = 50;
   const std::vector<double> time = spread_times(samples, run);
-  const auto displacement = [&](std::size_t i) { return samples.list[i].normal_displacement; };
+  std::vector<double> path;
+  for (std::size_t i = run.begin; i < run.end; ++i) path.push_back(samples.list[i].normal_displacement);
+  const std::size_t reach = reach_of_rates(path);
   for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
     while (to < run.end && samples.list[to].part == samples.list[from].part) ++to;
-    const std::size_t reach = std::max(least_reach, (to - from) / of_a_segment);
     for (std::size_t i = from; i < to; ++i) {
       const std::size_t first = i < from + reach ? from : i - reach, end = std::min(to, i + reach + 1);
       const auto count = static_cast<double>(end - first);
       double mean_time = 0, mean = 0, sum = 0, squares = 0;
-      for (std::size_t k = first; k < end; ++k)
-        mean_time += time[k - run.begin] / count, mean += displacement(k) / count;
-      for (std::size_t k = first; k < end; ++k) {
-        const double off = time[k - run.begin] - mean_time;
-        sum += off * (displacement(k) - mean), squares += off * off;
+      for (std::size_t k = first - run.begin; k < end - run.begin; ++k)
+        mean_time += time[k] / count, mean += path[k] / count;
+      for (std::size_t k = first - run.begin; k < end - run.begin; ++k) {
+        const double off = time[k] - mean_time;
+        sum += off * (path[k] - mean), squares += off * off;
       }
       samples.list[i].approach = squares > 0 ? sum / squares : 0;
     }

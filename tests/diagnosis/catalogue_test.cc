@@ -50,7 +50,9 @@ TEST(Catalogue_behaviour, holds_every_effect_of_the_format_by_its_name) {
                          "friction_by_roughness",
                          "friction_by_humidity",
                          "two_term_friction",
-                         "indentation_size"})
+                         "indentation_size",
+                         "normal_zero_offset",
+                         "fluid_drag"})
     EXPECT_EQ(effect_of(id).id(), id);
 }
 

@@ -174,6 +174,23 @@ TEST(Diagnose_analytic, what_no_effect_can_do_stays_unexplained_and_is_located) 
   EXPECT_FALSE(d.mismatch.empty());
 }
 
+TEST(Diagnose_behaviour, what_is_nearest_to_an_unexplained_recording_is_shown_and_not_named) {
+  const auto jump_and_ripple = [](double d, double) {
+    return hertz(d - 3 * nm) * (1 + 0.25 * std::sin(2 * 3.14159 * d / (13 * nm)));
+  };
+  const Diagnosis d = diagnose(indentation(jump_and_ripple, 20 * uN, 16));
+  ASSERT_EQ(d.verdict, Verdict::unexplained) << diagnosis_json(d);
+  EXPECT_TRUE(d.left_out.empty());
+  ASSERT_FALSE(d.nearest.empty());
+  EXPECT_LT(d.with_nearest.chi2_reduced, d.baseline.chi2_reduced);
+  EXPECT_EQ(d.improved.chi2_reduced, d.baseline.chi2_reduced);
+  const auto json = nlohmann::json::parse(diagnosis_json(d));
+  EXPECT_FALSE(json.at("nearest").at("is_named").get<bool>());
+  EXPECT_EQ(json.at("nearest").at("effects").at(0), d.nearest.front().id);
+  EXPECT_NE(d.compared.at(0).after, d.compared.at(0).before);
+  EXPECT_EQ(d.simulated.at(0).after, d.simulated.at(0).before);  // what is written is no answer
+}
+
 TEST(Diagnose_analytic, what_the_data_cannot_separate_is_ambiguous_and_an_experiment_is_named) {
   // Rolling in one direction: an offset of the sensor and adhesion add the same force.
   Recording r;

@@ -8,6 +8,8 @@
 #include <random>
 
 #include "diagnosis/import/segments.h"
+#include "diagnosis/recording/experiment.h"
+#include "diagnosis/recording/probe_jumps.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -113,6 +115,46 @@ TEST(Samples_analytic, have_the_same_speed_by_a_clock_that_stands_still_between_
   for (const std::size_t i : {0u, 20u, 80u, 96u}) EXPECT_NEAR(measured.list[i].speed, 2e-6, 1e-12) << i;
   time.assign(rows, 1.0);
   EXPECT_EQ(samples_of(recording).list[20].speed, 0);
+}
+
+TEST(Samples_analytic, have_the_rate_of_their_approach_in_spite_of_noise) {
+  constexpr double noise = 0.2e-9, step = 2e-10, interval = 1e-3;  // as large as a step of the path
+  Column path = zigzag({0, 400 * step, 0}, 400);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (double& x : path) x += noise * normal(random);
+  Recording recording = driven(Motion::normal, path);
+  const Samples without_time = samples_of(recording);
+  EXPECT_EQ(without_time.list[200].approach, 0);
+  auto& time = recording.tables[0].columns["time"];
+  for (std::size_t i = 0; i < path.size(); ++i) time.push_back(interval * static_cast<double>(i));
+  const Samples samples = samples_of(recording);
+  for (const std::size_t i : {30u, 200u, 370u}) {
+    EXPECT_NEAR(samples.list[i].approach, step / interval, 0.15 * step / interval) << i;
+    EXPECT_NEAR(samples.list[i + 400].approach, -step / interval, 0.15 * step / interval) << i;
+  }
+  EXPECT_NEAR(experiment_of(recording, samples).fastest_approach, step / interval, 0.15 * step / interval);
+}
+
+TEST(Samples_analytic, in_which_the_probe_jumps_do_not_count) {
+  constexpr double step = 1e-9;
+  const auto with_faster = [&](int faster, double times) {
+    Column path{0};
+    for (int i = 1; i <= 1000; ++i)
+      path.push_back(path.back() - (i > 500 && i <= 500 + faster ? times * step : step));
+    Recording recording = driven(Motion::normal, path);
+    auto& time = recording.tables[0].columns["time"];
+    for (std::size_t i = 0; i < path.size(); ++i) time.push_back(1e-3 * static_cast<double>(i));
+    return samples_of(recording);
+  };
+  Samples jumps = with_faster(12, 10), steady = with_faster(12, 1.5), driven_faster = with_faster(100, 10);
+  const std::size_t marked = mark_probe_jumps(jumps);
+  EXPECT_GE(marked, 12u);
+  EXPECT_LE(marked, 14u);  // and those beside them
+  EXPECT_FALSE(jumps.list[506].counts);
+  EXPECT_TRUE(jumps.list[490].counts && jumps.list[520].counts);
+  EXPECT_EQ(mark_probe_jumps(steady), 0u);
+  EXPECT_EQ(mark_probe_jumps(driven_faster), 0u);
 }
 
 TEST(Samples_behaviour, without_the_load_or_speed_that_their_table_gives_do_not_count) {
