@@ -24,18 +24,6 @@ FitQuality quality_of(const FitProblem& problem, const ModelFit& fit, const Held
 /// The deviation of a sample by response channel: the median of its table.
 std::map<std::string, NoiseEstimate> described_noise(const FitProblem& problem);
 
-/// What limits an answer: noise that is shared or not known, outliers.
-std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t outliers);
-/// Whether a fit leaves so little that the rows are points of a curve somebody fitted, and no measurements:
-/// less than a thirtieth of the deviations that are given for them.
-bool lies_on_the_rows(const FitProblem& problem, const ModelFit& fit);
-/// What is to be said where a fit leaves less than the noise that is given, beyond chance (chi^2, p < 1e-6);
-/// empty: nothing.
-std::string remark_on_too_little_noise(const FitProblem& problem, const ModelFit& fit);
-
-/// Effects that were not tried because the recording holds too few values of what they depend on.
-std::vector<UntriedEffect> effects_without_data(const Experiment& experiment);
-
 /// Curves for the report.
 std::vector<ComparedTable> compared_tables(const Recording& recording, const FitProblem& problem,
                                            const ModelFit& before, const ModelFit& after);

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/choose/evidence.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
 #include "diagnosis/choose/tell_apart.h"
@@ -15,6 +16,7 @@
 #include "diagnosis/fit/likely_surface.h"
 #include "diagnosis/fit/prepared_fit.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
+#include "diagnosis/remarks.h"
 
 namespace asperity {
 namespace {
@@ -108,16 +110,11 @@ class Diagnoser {
     const auto residual = residual_beyond_surfaces(problem_, fit);
     if (prepared_.learn_noise(residual)) return true;
     if (!prepared_.learn_noise(residual, most_off)) return false;
-    if (remaining(problem_, baseline_, *new_scanner(), fit).p_value > significance && is_all_noise(residual))
+    if (remaining(problem_, baseline_, *new_scanner(), fit).p_value > significance &&
+        neighbours_share_no_more(problem_.samples, residual, problem_.noise, baseline_.count))
       return true;
     problem_.noise = kept;
     return false;
-  }
-
-  /// What AR(1) leaves may be correlated by no more than chance: three deviations of the sum.
-  bool is_all_noise(const std::vector<double>& residual) const {
-    const double chance = 20 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, baseline_.count)));
-    return shared_variance(problem_.samples, residual, problem_.noise) < 1 + chance;
   }
 
   /// Where nothing explains it: whether what is left is noise that neighbours share, most of which
@@ -127,7 +124,8 @@ class Diagnoser {
     const auto& residual = problem_.baseline_residual;
     if (!prepared_.learn_noise(residual, most_off)) return false;
     const ScanResult anew = scan_of_baseline(*new_scanner());
-    if (is_noise_as_known(anew) && is_all_noise(residual)) {
+    if (is_noise_as_known(anew) &&
+        neighbours_share_no_more(problem_.samples, residual, problem_.noise, baseline_.count)) {
       before = anew;
       baseline_held_out_ =
           predict_held_out(problem_, finished(problem_, baseline_), blocks_of(problem_.samples));
@@ -167,13 +165,17 @@ class Diagnoser {
         result_.remarks.push_back(why);
     for (auto& alternative : result_.alternatives) describe_in_case(alternative.effects);
     result_.simulation = mapping_->described(result_.left_out.empty() ? nullptr : &judged_.list.front().fit);
-    for (const auto& remark : mapping_->remarks()) result_.remarks.push_back(remark);
+    remark_all(mapping_->remarks());
     result_.not_tried = mapping_->effects_without_form(problem_.experiment);
   }
 
   void describe_in_case(std::vector<DiagnosedEffect>& effects) const {
     mapping_->widen_untested(problem_, effects);
     mapping_->add_case_entries(problem_, effects);
+  }
+
+  void remark_all(const std::vector<std::string>& remarks) {
+    result_.remarks.insert(result_.remarks.end(), remarks.begin(), remarks.end());
   }
 
   /// `drawn`: what pictures show beside the simulation alone.
@@ -196,12 +198,7 @@ class Diagnoser {
 
   /// The best fit of an unexplained recording, beside the simulation and not in its place.
   void show_nearest() {
-    const auto within_bounds =
-        std::find_if(search_.candidates.begin(), search_.candidates.end(),
-                     [](const Candidate& candidate) { return candidate.fit.stopped_at().empty(); });
-    const Candidate& nearest =
-        within_bounds == search_.candidates.end() ? search_.candidates.front() : *within_bounds;
-    const ModelFit best = finished(problem_, nearest.fit);
+    const ModelFit best = finished(problem_, search_.best_within_bounds().fit);
     result_.nearest = described_effects(problem_, best, 0);
     result_.with_nearest =
         quality_of(problem_, best, predict_held_out(problem_, best, blocks_of(problem_.samples)));
@@ -230,7 +227,7 @@ class Diagnoser {
     }
     result_.improved = quality_of(problem_, chosen.fit, chosen.held_out);
     if (!clean) result_.remaining = left.regions;
-    const auto rivals = rivals_of(chosen);
+    const auto rivals = judged_.rivals_of(chosen);
     double weight = 1;
     for (const JudgedSet* rival : rivals)
       weight += std::exp(rival->candidate->score - chosen.candidate->score);
@@ -268,14 +265,6 @@ class Diagnoser {
     return "";
   }
 
-  /// Other sets, none of which is the chosen one with something added or left out.
-  std::vector<const JudgedSet*> rivals_of(const JudgedSet& chosen) const {
-    std::vector<const JudgedSet*> rivals;
-    for (const auto& other : judged_.list)
-      if (!other.is_part_of(chosen) && !chosen.is_part_of(other)) rivals.push_back(&other);
-    return rivals;
-  }
-
   void describe_common(const ScanResult& before) {
     result_.mismatch = before.regions;
     result_.baseline = quality_of(problem_, baseline_, baseline_held_out_);
@@ -283,19 +272,8 @@ class Diagnoser {
     for (std::size_t k = 0; k < calibrated.values.size(); ++k)
       result_.calibrated.push_back(calibrated.parameter(k, 1));
     result_.noise = described_noise(problem_);
-    result_.remarks = remarks_on_noise(problem_, prepared_.outliers);
-    if (prepared_.in_jumps > 0)
-      result_.remarks.push_back(std::to_string(prepared_.in_jumps) +
-                                " samples in which the probe jumps, faster than it is driven, do not count: "
-                                "it is not in equilibrium there");
-    constexpr std::size_t most_said = 3;
-    for (std::size_t i = 0; i < std::min(most_said, judged_.inconsistent.size()); ++i)
-      result_.remarks.push_back(
-          judged_.inconsistent[i] +
-          " would fit only with other parameters in different parts of the data and was rejected");
-    for (std::size_t i = 0; i < std::min(most_said, judged_.stopped.size()); ++i)
-      result_.remarks.push_back(judged_.stopped[i] +
-                                " would fit best with that parameter beyond its bounds and was rejected");
+    result_.remarks = remarks_on_noise(problem_, prepared_.outliers, prepared_.in_jumps);
+    remark_all(remarks_on_sets(judged_));
   }
 
   const Recording& recording_;

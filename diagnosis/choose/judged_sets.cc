@@ -120,6 +120,13 @@ bool JudgedSet::is_part_of(const JudgedSet& other) const {
   });
 }
 
+std::vector<const JudgedSet*> JudgedSets::rivals_of(const JudgedSet& chosen) const {
+  std::vector<const JudgedSet*> rivals;
+  for (const JudgedSet& other : list)
+    if (!other.is_part_of(chosen) && !chosen.is_part_of(other)) rivals.push_back(&other);
+  return rivals;
+}
+
 Rivalry rivalry(const FitProblem& problem, const JudgedSet& chosen, const JudgedSet& other) {
   constexpr double equal = 1.05;  // of held-out cost, which is noise below 1
   constexpr double same = 2;      // deviations by which all samples together would tell them apart

@@ -51,6 +51,9 @@ struct JudgedSets {
       inconsistent;  ///< would fit only with other parameters in different parts of the data
   std::vector<std::string>
       stopped;  ///< would fit best with a parameter beyond its bounds: "NAME (PARAMETER)"
+
+  /// Other sets, none of which is the chosen one with something added or left out.
+  std::vector<const JudgedSet*> rivals_of(const JudgedSet& chosen) const;
 };
 
 /// is_no_effect: whether what would be said of a fit holds "no effect"; null: its own interval decides.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "diagnosis/choose/law_error.h"
+#include "diagnosis/choose/evidence.h"
 #include "diagnosis/choose/off_contact.h"
 
 namespace asperity {
@@ -13,81 +13,6 @@ namespace {
 using Effects = std::vector<const Effect*>;
 
 constexpr std::size_t widest_beam_of_singles = 8, widest_beam_of_pairs = 3, largest_set = 3;
-
-/// Log odds against each effect that other causes look like in these data: less than as_good, so that it
-/// stays a candidate beside its equals.
-constexpr double not_shown = 1.5;
-
-/// The likelihood's mean over what the laws may be off by, and what of that is likely then.
-struct OverLaws {
-  double log_likelihood, part_of_bound;  ///< [-]
-};
-OverLaws over_laws(const Candidate& candidate, double overdispersion) {
-  if (candidate.costs.empty()) return {-0.5 * candidate.cost / overdispersion, 1};
-  const double least = *std::min_element(candidate.costs.begin(), candidate.costs.end());
-  if (!std::isfinite(least)) return {-least, 1};
-  double sum = 0, squares = 0;
-  for (std::size_t k = 0; k < candidate.costs.size(); ++k) {
-    const double likely = std::exp(-0.5 * (candidate.costs[k] - least) / overdispersion);
-    sum += likely, squares += likely * parts_of_bound[k] * parts_of_bound[k];
-  }
-  return {-0.5 * least / overdispersion + std::log(sum / static_cast<double>(candidate.costs.size())),
-          std::sqrt(squares / sum)};
-}
-
-void score(Candidate& candidate, const Experiment& experiment, std::size_t admissible,
-           double overdispersion) {
-  const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
-  const Effects& members = candidate.fit.explanation->effects();
-  double effects = 0;
-  for (const Effect* effect : members)
-    if (!effect->is_another_value()) effects += effect->effects_held();
-  const auto count = static_cast<double>(std::max<std::size_t>(2, candidate.fit.count));
-  double prior = -0.5 * parameters * std::log(count) -
-                 effects * std::log(std::max<double>(2, static_cast<double>(admissible)));
-  // A number read off a part of the recording is told by the samples of that part alone.
-  if (const double read_off = candidate.fit.numbers_read_off(experiment); read_off > 0)
-    prior -= 0.5 * read_off * std::log(std::max(2.0, count / read_off));
-  for (const Effect* effect : members)
-    if (!effect->not_recorded(experiment).empty()) prior -= not_shown;
-  candidate.score_as_stated = prior - 0.5 * candidate.cost / overdispersion;
-  const OverLaws likely = over_laws(candidate, overdispersion);
-  candidate.score = prior + likely.log_likelihood;
-  candidate.fit.part_of_bound = likely.part_of_bound;
-}
-
-void score_all(SearchResult& result, const FitProblem& problem) {
-  const Experiment& experiment = problem.experiment;
-  // Of what is left, not of the room that a mesh or the bounds of laws have.
-  const auto misfit = [&](const Candidate& of) {
-    if (has_shared_error(problem)) return of.left(problem);
-    return of.least_cost();
-  };
-  double least = misfit(result.alone);
-  for (const auto& candidate : result.candidates) least = std::min(least, misfit(candidate));
-  result.overdispersion =
-      std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
-  score(result.alone, experiment, result.admissible, result.overdispersion);
-  for (auto& candidate : result.candidates)
-    score(candidate, experiment, result.admissible, result.overdispersion);
-  std::stable_sort(result.candidates.begin(), result.candidates.end(),
-                   [](const auto& a, const auto& b) { return a.score > b.score; });
-}
-
-void cost_explanation(Candidate& candidate, const FitProblem& problem, const LawErrors& laws,
-                      const ModelFit& baseline) {
-  const Misfit misfit = misfit_of(problem, candidate.fit, baseline);
-  const LawErrors::Cost cost = laws.cost(problem.samples, problem.noise, misfit.residual, misfit.errors);
-  candidate.cost = cost.sum();
-  candidate.room = cost.log_determinant;
-  candidate.costs.clear();
-  if (misfit.errors.of_laws.empty() && misfit.errors.of_curves.empty()) return;
-  for (const double part : parts_of_bound)
-    candidate.costs.push_back(part == 1 ? candidate.cost
-                                        : laws.cost(problem.samples, problem.noise, misfit.residual,
-                                                    laws_off_by(part, misfit.errors))
-                                              .sum());
-}
 
 /// In a case of finite elements only what enters there, or acts on any history.
 bool has_a_form(const Effect& effect, const Experiment& experiment) {
@@ -299,20 +224,6 @@ class Search {
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
                             const std::function<void(const std::string&)>& progress) {
   return Search(problem, baseline, is_noise, progress).run();
-}
-
-void rescore(SearchResult& result, const FitProblem& problem) {
-  const LawErrors laws(problem.samples);
-  result.alone.fit = refitted(problem, result.alone.fit, problem.samples, false, 0);
-  result.alone.cost = result.alone.fit.cost;
-  if (problem.correction) cost_explanation(result.alone, problem, laws, result.alone.fit);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < result.candidates.size(); ++i) {
-    Candidate& candidate = result.candidates[i];
-    candidate.fit = refitted(problem, candidate.fit, problem.samples, false, 0);
-    cost_explanation(candidate, problem, laws, result.alone.fit);
-  }
-  score_all(result, problem);
 }
 
 }  // namespace asperity

@@ -57,6 +57,13 @@ struct SearchResult {
   bool holds_what_is_off_contact(const ModelFit& fit) const {
     return fit.explanation->effects().size() == shown_off_contact.size() + others_in(fit);
   }
+  /// The best set none of whose parameters ended at a bound, or else the best.
+  const Candidate& best_within_bounds() const {
+    const auto found = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& candidate) {
+      return candidate.fit.stopped_at().empty();
+    });
+    return found == candidates.end() ? candidates.front() : *found;
+  }
   /// Whether a set is better than none.
   bool explains() const { return !candidates.empty() && candidates.front().score > alone.score; }
 };
@@ -67,8 +74,5 @@ using IsNoise = std::function<bool(const ModelFit&)>;
 /// baseline: the fit without any effect; progress is told what is being done.
 SearchResult search_effects(const FitProblem& problem, const ModelFit& baseline, const IsNoise& is_noise,
                             const std::function<void(const std::string&)>& progress);
-
-/// Costs and scores anew, for noise that is known better.
-void rescore(SearchResult& result, const FitProblem& problem);
 
 }  // namespace asperity

@@ -280,4 +280,10 @@ double shared_variance(const Samples& samples, const std::vector<double>& residu
   return std::max(1.0, factor);
 }
 
+bool neighbours_share_no_more(const Samples& samples, const std::vector<double>& residual, const Noise& noise,
+                              std::size_t count) {
+  const double chance = 20 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, count)));
+  return shared_variance(samples, residual, noise) < 1 + chance;
+}
+
 }  // namespace asperity

@@ -55,4 +55,8 @@ std::vector<double> whitened(const Samples& samples, const std::vector<double>& 
 /// least 1. What AR(1) does not describe.
 double shared_variance(const Samples& samples, const std::vector<double>& residual, const Noise& noise);
 
+/// Whether that is no more than chance leaves in so many samples: three deviations of the sum.
+bool neighbours_share_no_more(const Samples& samples, const std::vector<double>& residual, const Noise& noise,
+                              std::size_t count);
+
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/quantity.h"
+#include "diagnosis/choose/evidence.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
 #include "diagnosis/mapping/effects_in_case.h"

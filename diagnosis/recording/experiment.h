@@ -25,7 +25,7 @@ struct Experiment {
   double duration = 0;                          ///< of the longest run [s]
   double hold_duration = 0;                     ///< of the longest hold [s]
   double slowest = 0, fastest = 0;  ///< speeds that a twentieth of the samples stay below and above [m/s]
-  double fastest_approach = 0;  ///< rate of the displacement that a twentieth of the samples stays above [m/s]
+  double fastest_approach = 0;  ///< rate of displacement that a twentieth of the samples stays above [m/s]
   double slowest_run = 0, fastest_run = 0;  ///< 1/duration of the longest and the shortest run [1/s]
   double cycles = 0;                        ///< of the longest run
   double smoothest = 0, roughest = 0;       ///< rms roughness [m]

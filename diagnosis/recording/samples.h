@@ -13,7 +13,7 @@ namespace asperity {
 /// One row: what drives the simulation, and the response that was recorded.
 struct Sample {
   double time = 0, normal_displacement = 0, normal_force = 0, lateral_displacement = 0;
-  double speed = 0;   ///< of sliding or rolling [m/s]: recorded, else from path and time, else 0
+  double speed = 0;     ///< of sliding or rolling [m/s]: recorded, else from path and time, else 0
   double approach = 0;  ///< rate of the displacement under normal load, from displacement and time [m/s]
   double radius = 0;    ///< of the particle
   double rms_roughness = 0;

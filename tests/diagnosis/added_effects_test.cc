@@ -8,6 +8,7 @@
 #include "diagnosis/describe.h"
 #include "diagnosis/fit/explanation.h"
 #include "diagnosis/mechanics/yielding_contact.h"
+#include "diagnosis/remarks.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {

@@ -1,5 +1,6 @@
 // The sentence of a diagnosis, of numbers set by hand.
 #include "diagnosis/describe.h"
+#include "diagnosis/remarks.h"
 
 #include <gtest/gtest.h>
 
