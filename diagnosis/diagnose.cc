@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "core/error.h"
-#include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/choose/evidence.h"
 #include "diagnosis/choose/judged_sets.h"
@@ -74,9 +73,7 @@ class Diagnoser {
     if (mapping_) describe_simulation();
     for (auto& effect : effects_without_data(problem_.experiment))
       result_.not_tried.push_back(std::move(effect));
-    if (result_.verdict != Verdict::no_mismatch)
-      for (const auto& [effect, why] : result_.not_tried)
-        result_.remarks.push_back(effect + " was not tried: " + why);
+    remark_all(remarks_on_untried(result_));
     result_.in_words = in_words(result_);
     return result_;
   }
@@ -202,11 +199,7 @@ class Diagnoser {
     result_.nearest = described_effects(problem_, best, 0);
     result_.with_nearest =
         quality_of(problem_, best, predict_held_out(problem_, best, blocks_of(problem_.samples)));
-    result_.remarks.push_back(
-        "the nearest of the catalogue, " + best.explanation->name() +
-        printed(", takes away only part of the mismatch (chi-square per sample falls from %.3g to %.3g) and "
-                "is not named",
-                result_.baseline.chi2_reduced, result_.with_nearest.chi2_reduced));
+    remark_all(remarks_on_nearest(result_));
     compare(baseline_, best);
   }
 

@@ -91,4 +91,21 @@ std::vector<std::string> remarks_on_sets(const JudgedSets& judged) {
   return remarks;
 }
 
+std::vector<std::string> remarks_on_nearest(const Diagnosis& d) {
+  std::string names;
+  for (const auto& effect : d.nearest) names += (names.empty() ? "" : " + ") + effect.id;
+  return {
+      "the nearest of the catalogue, " + names +
+      printed(", takes away only part of the mismatch (chi-square per sample falls from %.3g to %.3g) and is "
+              "not named",
+              d.baseline.chi2_reduced, d.with_nearest.chi2_reduced)};
+}
+
+std::vector<std::string> remarks_on_untried(const Diagnosis& d) {
+  std::vector<std::string> remarks;
+  if (d.verdict != Verdict::no_mismatch)
+    for (const auto& [effect, why] : d.not_tried) remarks.push_back(effect + " was not tried: " + why);
+  return remarks;
+}
+
 }  // namespace asperity
