@@ -74,6 +74,12 @@ enum class EntersBy {
 /// One starting point of a search, a value for each parameter.
 using EffectStart = std::vector<double>;
 
+/// An effect by its name, with points from which a search for its parameters begins.
+struct SimplerForm {
+  std::string effect;
+  std::vector<EffectStart> starts;
+};
+
 class Effect {
  public:
   virtual ~Effect() = default;
@@ -93,6 +99,8 @@ class Effect {
   virtual bool is_another_value() const { return false; }
   /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
   virtual bool is_itself(const double*) const { return true; }
+  /// That simpler effect near these parameters; without a name where there is none.
+  virtual SimplerForm simpler_form(const Experiment&, const double*) const { return {}; }
   /// How many effects its law stands for [-]: of one that holds another's as a limit both, so that in the
   /// evidence what it adds to that counts as an effect of its own.
   virtual int effects_held() const { return 1; }

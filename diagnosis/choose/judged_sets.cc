@@ -88,7 +88,11 @@ bool every_member_counts(const FitProblem& problem, const SearchResult& search, 
     if (without.empty() || effects[k]->is_another_value()) continue;
     const double least_gained = (smaller->least_cost() - candidate.least_cost()) / search.overdispersion;
     const double whole = excess(problem, search.alone) / search.overdispersion;
-    const double rest = excess(problem, *smaller) / search.overdispersion;
+    // In the same terms as what is gained: beyond what the laws of the smaller set may be off by.
+    const double rest =
+        std::min(excess(problem, *smaller),
+                 std::max(0.0, smaller->least_cost() - static_cast<double>(smaller->fit.count))) /
+        search.overdispersion;
     if (!complete && least_gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest))
       return false;
     // What an instrument adds is known in form; a second law of the contact may only mend the first one's.

@@ -34,13 +34,42 @@ std::size_t largest_size(const SearchResult& result) {
   return size;
 }
 
+/// A fit of a set that was not fitted yet, or one that ended in another valley.
+void take_better(SearchResult& result, const Candidate& found) {
+  constexpr double another_valley = 0.5;  // of the cost; less is how far fits are carried on
+  const auto same = std::find_if(result.candidates.begin(), result.candidates.end(), [&](const auto& other) {
+    return other.fit.explanation->effects() == found.fit.explanation->effects();
+  });
+  if (same == result.candidates.end())
+    result.candidates.push_back(found);
+  else if (found.cost < same->cost - another_valley)
+    *same = found;
+}
+
+/// Of good sets with an effect that is not itself those with the simpler one, from where they stand.
+void refit_in_simpler_form(SearchResult& result, const FitProblem& problem, const LawErrors& laws) {
+  constexpr std::size_t most_sets = 12;
+  constexpr int iterations = 30;
+  std::vector<ModelFit> starts;
+  for (std::size_t i = 0; i < std::min(most_sets, result.candidates.size()); ++i)
+    for (ModelFit& start : result.candidates[i].fit.in_simpler_form(problem))
+      starts.push_back(std::move(start));
+  std::vector<Candidate> found(starts.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    found[i].fit = refitted(problem, starts[i], problem.samples, false, iterations);
+    cost_explanation(found[i], problem, laws, result.alone.fit);
+  }
+  for (const Candidate& candidate : found) take_better(result, candidate);
+  score_all(result, problem);
+}
+
 /// Smaller sets, each from where a good larger one that holds it stands: those that were fitted once more,
 /// for where responses jump a fit may have ended in another valley, and what only led out of that one would
 /// be named; and those whose members were too poor alone to be tried together.
 void refit_within_larger(SearchResult& result, const FitProblem& problem, const LawErrors& laws) {
   constexpr std::size_t most_larger = 4;
   constexpr int iterations = 30;
-  constexpr double another_valley = 0.5;  // of the cost; less is how far fits are carried on
   for (std::size_t size = largest_size(result); size > 1; --size) {
     std::vector<std::pair<Effects, const ModelFit*>> sets;  // and the larger fit that each is taken from
     std::vector<ModelFit> larger_fits;
@@ -58,16 +87,7 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
       found[i].fit = refitted(problem, start, problem.samples, false, iterations);
       cost_explanation(found[i], problem, laws, result.alone.fit);
     }
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      const auto same =
-          std::find_if(result.candidates.begin(), result.candidates.end(), [&](const auto& other) {
-            return other.fit.explanation->effects() == found[i].fit.explanation->effects();
-          });
-      if (same == result.candidates.end())
-        result.candidates.push_back(found[i]);
-      else if (found[i].cost < same->cost - another_valley)
-        *same = found[i];
-    }
+    for (const Candidate& candidate : found) take_better(result, candidate);
   }
   score_all(result, problem);
 }
@@ -143,6 +163,7 @@ class Search {
 
   SearchResult run() {
     if (!leaves_noise_after_sets_of_three()) grow_from_what_is_off_contact();
+    refit_in_simpler_form(result_, problem_, laws_);
     refit_within_larger(result_, problem_, laws_);
     return std::move(result_);
   }

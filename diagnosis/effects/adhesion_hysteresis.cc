@@ -80,6 +80,14 @@ class AdhesionHysteresis : public Effect {
     constexpr double least_ratio = 1.2;
     return p[1] > least_ratio * p[0];
   }
+  /// Johnson, Kendall & Roberts' pull-off force, of the mean of both works, and ranges of attraction from
+  /// theirs (none) on.
+  SimplerForm simpler_form(const Experiment& e, const double* p) const override {
+    const double pull_off = 1.5 * M_PI * 0.5 * (p[0] + p[1]) * e.radius;
+    SimplerForm form{"adhesion", {}};
+    for (const double transition : {1.0, 0.95, 0.85, 0.7, 0.5}) form.starts.push_back({pull_off, transition});
+    return form;
+  }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double work = e.largest_force / (1.5 * M_PI * e.radius);
     return {{"work_closing",

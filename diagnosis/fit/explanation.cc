@@ -193,6 +193,35 @@ bool ModelFit::is_itself() const {
   return true;
 }
 
+std::vector<ModelFit> ModelFit::in_simpler_form(const FitProblem& problem) const {
+  const auto at = values_of_effects();
+  std::vector<ModelFit> fits;
+  for (std::size_t e = 0; e < at.size(); ++e) {
+    std::vector<const Effect*> effects = explanation->effects();
+    if (effects[e]->is_itself(at[e])) continue;
+    const SimplerForm form = effects[e]->simpler_form(problem.experiment, at[e]);
+    if (form.effect.empty()) continue;
+    const Effect* simpler = &effect_of(form.effect);
+    if (std::find(effects.begin(), effects.end(), simpler) != effects.end()) continue;
+    effects[e] = simpler;
+    if (!Explanation::compatible(effects)) continue;
+    const auto simple =
+        std::make_shared<Explanation>(problem.experiment, problem.choice, effects, explanation->correction());
+    for (const EffectStart& start : form.starts) {
+      ModelFit fit;
+      fit.explanation = simple;
+      std::size_t next = 0;
+      for (const FreeParameter& p : simple->parameters()) {
+        const Effect* owner = p.effect < 0 ? nullptr : simple->effects()[static_cast<std::size_t>(p.effect)];
+        const double* known = owner == simpler ? &start[next++] : value_of(p.name, owner);
+        fit.values.push_back(std::clamp(known ? *known : p.starts.front(), p.low, p.high));
+      }
+      fits.push_back(fit);
+    }
+  }
+  return fits;
+}
+
 double ModelFit::numbers_read_off(const Experiment& experiment) const {
   const auto at = values_of_effects();
   double sum = 0;

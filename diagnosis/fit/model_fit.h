@@ -62,6 +62,8 @@ struct ModelFit {
   double numbers_read_off(const Experiment& experiment) const;
   /// Whether each effect is itself with these values, see Effect::is_itself().
   bool is_itself() const;
+  /// Where an effect is not itself, the same with the simpler one in its place, from each of its starts.
+  std::vector<ModelFit> in_simpler_form(const FitProblem& problem) const;
   /// Name of the first parameter that ended at a bound of the search; empty: none did.
   std::string stopped_at() const;
   /// Whether the 95 % interval of one holds the value with which its effect is none; inflation as below [-].

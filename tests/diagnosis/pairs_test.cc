@@ -3,6 +3,8 @@
 
 #include "diagnosis/conceal/concealed_recording.h"
 #include "diagnosis/diagnose.h"
+#include "diagnosis/fit/model_fit.h"
+#include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
 namespace {
@@ -35,6 +37,29 @@ TEST(Pairs_other_code, a_compliance_is_named_beside_the_adhesion_that_hides_it) 
 TEST(Pairs_other_code, adhesion_and_compliance_are_tried_together_where_both_are_poor_alone) {
   // It was called adhesion on a sphere of another radius, for one sample that snapped before the law says so.
   expect_adhesion_and_compliance(0.008, 5);
+}
+
+TEST(SimplerForm_analytic, of_hysteresis_with_works_alike_is_adhesion_of_jkr_s_pull_off_force) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  const auto fit = [&](double closing, double opening) {
+    ModelFit f;
+    f.explanation = std::make_shared<Explanation>(
+        problem.experiment, problem.choice,
+        std::vector<const Effect*>{&effect_of("adhesion_hysteresis"), &effect_of("instrument_compliance")});
+    for (const FreeParameter& p : f.explanation->parameters())
+      f.values.push_back(p.name == "work_closing" ? closing : p.name == "work_opening" ? opening : 1e-6);
+    return f;
+  };
+  EXPECT_TRUE(fit(0.1, 0.3).in_simpler_form(problem).empty());
+  const std::vector<ModelFit> simpler = fit(0.1, 0.11).in_simpler_form(problem);
+  ASSERT_FALSE(simpler.empty());
+  for (const ModelFit& start : simpler) {
+    EXPECT_EQ(start.explanation->name(), "adhesion + instrument_compliance");
+    const double pull_off = *start.value_of("pull_off_force", &effect_of("adhesion"));
+    EXPECT_NEAR(pull_off, 1.5 * M_PI * 0.105 * 8.5e-6, 1e-6 * pull_off);
+    EXPECT_EQ(*start.value_of("compliance", &effect_of("instrument_compliance")), 1e-6);
+  }
 }
 
 }  // namespace
