@@ -26,10 +26,11 @@ double estimated_memory(double unknowns, bool all_keep_history) {
 SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yields) {
   // Beyond the fine regions, the bulk of both bodies has some 5e4 (rough_contact, 20 nm: 1.1e5 in all).
   constexpr double bulk = 5e4;
-  // Meshing, first touch and the far field, then each step. Measured on one core of 2026, 7e4 to 2e5
-  // unknowns: 4.3 to 7 us for steps with little or no yielding, pressing or moving (rough, friction 0.1 and
-  // 0.5), 17 us for large steps of pressing with a rough sphere that yields throughout.
-  constexpr double before = 25e-6, elastic_step = 5.5e-6, yielding_step = 8e-6;
+  // Meshing, first touch and the far field, then each step: medians of the 174 cases of
+  // runs/paper/motions.prm on one core of 2026, 5e4 to 2e5 unknowns. Of yielding bodies 2.9 us a step that
+  // spins, 4.7 us one that rolls or slides (6.6 us where it slides on 20 nm, 9 us with half the yield
+  // stresses), of elastic ones 2.7 to 4.5 us.
+  constexpr double before = 10e-6, elastic_step = 4.2e-6, yielding_step = 5e-6;
   const auto program = make_program(input.experiment, setup.motion);
   SolveCost cost;
   cost.unknowns = bulk + estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers) *

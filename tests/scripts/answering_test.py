@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Tests of runs/paper/answers: fits of forces that are known, the chart, and the page, without solving anything."""
 
+import importlib.machinery
+import importlib.util
 import pathlib
 import sys
 import unittest
@@ -96,6 +98,51 @@ class Page(unittest.TestCase):
         mean, error = program.mean_and_error([1.0, 2.0, 3.0])
         self.assertEqual(mean, 2.0)
         self.assertAlmostEqual(error, 3**-0.5)
+
+
+def motion_state(motion, resistance, parts=(0.1, 0.2, 0.7)):
+    values = dict(zip(("friction", "plastic", "adhesion"), parts))
+    return {
+        "experiment": motion,
+        "load": 1e-4,
+        "hertz_radius": 2e-7,
+        "contact_area": 0.5 * 3.14159265 * 4e-14,
+        "resistance": {"value": resistance, "sd": 0.05 * resistance},
+        "parts": {name: {"value": part * resistance, "sd": 0} for name, part in values.items()},
+    }
+
+
+class MotionTables(unittest.TestCase):
+    """The tables of docs/results_of_the_paper.md."""
+
+    def setUp(self):
+        loader = importlib.machinery.SourceFileLoader("motion_tables", str(ROOT / "runs/paper/motion_tables"))
+        self.tables = importlib.util.module_from_spec(importlib.util.spec_from_loader("motion_tables", loader))
+        loader.exec_module(self.tables)
+
+    def test_numbers_have_the_digits_that_their_errors_leave(self):
+        self.assertEqual(self.tables.with_error(0.40544, 0.0043), "0.4054 ± 0.0043")
+        self.assertEqual(self.tables.with_error(41.02, 16.9), "41 ± 17")
+        self.assertEqual(self.tables.with_error(0.25, 0.14), "0.25 ± 0.14")
+        self.assertEqual(self.tables.with_error(None, None), "-")
+
+    def test_a_contact_is_set_over_its_load_and_over_full_slip(self):
+        full_slip = 3 * 3.14159265 / 16 * 0.3 * 1e-4 * 2e-7
+        states = [motion_state("sliding", 3e-5), motion_state("rolling", 2e-13), motion_state("torsion", 1.5 * full_slip)]
+        contact = {"label": "0.3 nm", "friction_coefficient": 0.3, "states": states}
+        row = self.tables.cells(contact, 1e-4)
+        self.assertEqual(row, ["0.300 ± 0.015", "0.200 ± 0.010", "10, 20, 70", "1.500 ± 0.075", "0.50 to 0.50"])
+        states.pop()
+        self.assertEqual(self.tables.cells(contact, 1e-4)[3], "not steady")
+        text = self.tables.contacts_table({"contacts": [contact]}, False)
+        self.assertIn("| 0.3 nm, 100 uN | 0.300 ± 0.015 |", text)
+        self.assertNotIn("0.3 nm", self.tables.contacts_table({"contacts": [contact]}, True))
+
+    def test_the_page_has_a_place_for_each_table(self):
+        page = (ROOT / "docs/results_of_the_paper.md").read_text()
+        for name in ("contacts", "long waves", "meshes", "laws", "rails"):
+            self.assertEqual(page.count(f"<!-- motion_tables: {name} -->"), 1)
+            self.assertEqual(page.count(f"<!-- end of {name} -->"), 1)
 
 
 if __name__ == "__main__":
