@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/case_file.h"
 #include "app/case_previews.h"
 #include "app/characterise_plan.h"
 #include "app/characterise_request.h"
@@ -27,6 +28,7 @@
 #include "engines/many_particles/material_matrix.h"
 #include "engines/many_particles/particle_box.h"
 #include "fem/output/checkpoint.h"
+#include "fem/preview_case.h"
 #include "report/characterisation/characterisation_page.h"
 #include "report/report.h"
 #include "report/sentences/derivation_sentences.h"
@@ -78,6 +80,9 @@ bool solve(const Study& study, const fs::path& folder, bool overwrite) {
   options.program = fs::read_symlink("/proc/self/exe");
   options.objection_to_resume = [](const fs::path& case_folder, const std::string& inputs) {
     return fem::objection_to_resume(case_folder / "checkpoint", {inputs, build_commit()});
+  };
+  options.expected_seconds = [&](const StudyCase& item) {
+    return preview_mesh(case_from_settings(item.settings, study.file)).seconds_on_one_core;
   };
   options.say = say;
   const auto progress = run_study(study, options);

@@ -74,9 +74,13 @@ fs::path called_program() {
   return fs::exists(self.parent_path() / "asperity") ? self.parent_path() / "asperity" : self;
 }
 
+MeshPreview previewed_mesh(const StudyCase& item, const std::string& file) {
+  return preview_mesh(case_from_settings(item.settings, file));
+}
+
 void plan_study(const Study& study, const StudyArguments& arguments) {
   const auto cost = [&](const StudyCase& item) {
-    const MeshPreview mesh = preview_mesh(case_from_settings(item.settings, study.file));
+    const MeshPreview mesh = previewed_mesh(item, study.file);
     return PlannedCase{"", mesh.seconds_on_one_core, mesh.memory};
   };
   const auto cases = prepare_planned_cases(study, arguments.output, cost);
@@ -127,6 +131,9 @@ void run_study(const StudyArguments& arguments) {
   };
   options.say = say;
   options.chosen = chosen_name;
+  options.expected_seconds = [&](const StudyCase& item) {
+    return previewed_mesh(item, study.file).seconds_on_one_core;
+  };
   const auto progress = run_study(study, options);
 
   const auto count = [&](CaseProgress::State state) {

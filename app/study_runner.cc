@@ -144,6 +144,7 @@ class StudyRun {
                       ? std::to_string(to_do) + " of the others chosen; "
                       : "") +
                  std::to_string(parallel_) + " at a time");
+    expect_times(to_do);
   }
 
   bool chosen(std::size_t index) const { return options_.chosen(study_.cases[index].name); }
@@ -195,6 +196,7 @@ class StudyRun {
       progress.state = State::done;
       ++solved_;
       seconds_of_solved_ += progress.seconds;
+      expected_of_solved_ += expected_[running.index];
     } else if (!running.stopped_for.empty()) {
       progress.state = State::stopped;
       progress.message = running.stopped_for;
@@ -216,16 +218,26 @@ class StudyRun {
                  time_left());
   }
 
-  /// From the mean time of the cases solved in this run.
+  /// Of the cases that are to be solved in this run.
+  void expect_times(long to_do) {
+    expected_.assign(study_.cases.size(), 1.0);
+    double sum = 0;
+    for (std::size_t i = 0; i < study_.cases.size() && options_.expected_seconds; ++i)
+      if (progress_[i].state == State::waiting && chosen(i))
+        sum += expected_[i] = options_.expected_seconds(study_.cases[i]);
+    if (to_do > 1 && sum > 0) options_.say("about " + wait_text(sum / parallel_) + ", to a factor of two");
+  }
+
+  /// From what the cases solved in this run took of what was expected of them.
   std::string time_left() const {
-    double seconds = 0;
     if (solved_ == 0) return "";
-    const double mean = seconds_of_solved_ / solved_;
+    const double of_expected = seconds_of_solved_ / expected_of_solved_;
+    double seconds = 0;
     for (std::size_t i = 0; i < progress_.size(); ++i)
-      if (progress_[i].state == State::waiting && chosen(i)) seconds += mean;
+      if (progress_[i].state == State::waiting && chosen(i)) seconds += of_expected * expected_[i];
     for (const auto& running : running_)
       if (progress_[running.index].state == State::running)
-        seconds += std::max(0.0, mean - seconds_since(running.start));
+        seconds += std::max(0.0, of_expected * expected_[running.index] - seconds_since(running.start));
     return seconds > 0 ? "; about " + wait_text(seconds / parallel_) + " left" : "";
   }
 
@@ -272,7 +284,8 @@ class StudyRun {
   int parallel_ = 1;
   long chosen_ = 0;
   int solved_ = 0;
-  double seconds_of_solved_ = 0;
+  double seconds_of_solved_ = 0, expected_of_solved_ = 0;  ///< [s]
+  std::vector<double> expected_;                           ///< of each case, on one core [s]
   Clock::time_point last_report_ = Clock::now(), last_look_ = Clock::now();
 };
 

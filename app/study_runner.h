@@ -30,6 +30,8 @@ struct StudyRunOptions {
   /// Why a case that is being solved in a folder, for so many seconds, should not go on, as a sentence's end;
   /// it is stopped and has it as its message. Empty: it should.
   std::function<std::string(const std::filesystem::path&, double)> reason_to_stop;
+  /// What a case takes on one core, roughly, by which the time that is left is told [s]; null: all alike.
+  std::function<double(const StudyCase&)> expected_seconds;
   std::function<void(const std::string&)> say;  ///< receives progress, line by line
 };
 

@@ -95,6 +95,26 @@ TEST_F(StudyRunner, a_failing_case_is_reported_and_the_others_go_on_behaviour) {
   EXPECT_DOUBLE_EQ(table.numbers("normal_stiffness [N/m]")[0], 7);
 }
 
+TEST_F(StudyRunner, says_how_long_all_takes_and_what_is_left_by_what_each_is_expected_to_take_behaviour) {
+  folder_.write("mended", "");
+  options_.expected_seconds = [](const StudyCase& item) { return item.name == "1_mN" ? 1.0 : 1e5; };
+  Study study = two_loads();
+  study.parallel_cases = 1;
+  run_study(study, options_);
+  const auto said = [&](const std::string& part) {
+    return std::any_of(said_.begin(), said_.end(),
+                       [&](const std::string& line) { return line.find(part) != std::string::npos; });
+  };
+  EXPECT_TRUE(said("about 27.8 h, to a factor of two")) << said_.at(1);
+  // The first took a moment; the other is to take 1e5 times as long.
+  const auto first = std::find_if(said_.begin(), said_.end(), [](const std::string& line) {
+    return line.find("[1/2] 1_mN: done in ") != std::string::npos;
+  });
+  ASSERT_NE(first, said_.end());
+  EXPECT_NE(first->find(" left"), std::string::npos) << *first;
+  EXPECT_EQ(first->find(" s left"), std::string::npos) << *first;
+}
+
 TEST_F(StudyRunner, resuming_keeps_complete_cases_and_tries_the_failed_ones_again_behaviour) {
   run_study(two_loads(), options_);
   folder_.write("mended", "");
