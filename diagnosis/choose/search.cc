@@ -13,6 +13,8 @@ namespace {
 using Effects = std::vector<const Effect*>;
 
 constexpr std::size_t widest_beam_of_singles = 8, widest_beam_of_pairs = 3, largest_set = 3;
+/// With what samples off contact show.
+constexpr std::size_t largest_beside_off_contact = 6;
 
 /// In a case of finite elements only what enters there, or acts on any history.
 bool has_a_form(const Effect& effect, const Experiment& experiment) {
@@ -202,7 +204,8 @@ class Search {
     LargerSets first(tried_, {});
     first.add(shown, result_.alone.fit);
     fit(first, "set that samples off contact show");
-    for (std::size_t more = 1; more <= largest_set; ++more) {
+    const std::size_t most = std::min(largest_set, largest_beside_off_contact - shown.size());
+    for (std::size_t more = 1; more <= most; ++more) {
       LargerSets sets(tried_, best_with(shown, more - 1));
       for (const Effect* effect : admissible_) sets.grow_by(effect);
       fit(sets, "sets beside what samples off contact show");
