@@ -25,9 +25,9 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
                                     : std::to_string(outliers) +
                                           " samples lie far off their neighbours and do not count");
   if (in_jumps > 0)
-    remarks.push_back(std::to_string(in_jumps) +
-                      " samples in which the probe jumps, faster than it is driven, do not count: "
-                      "it is not in equilibrium there");
+    remarks.push_back((in_jumps == 1 ? "1 sample" : std::to_string(in_jumps) + " samples") +
+                      std::string(" in which the probe jumps, faster than it is driven, ") +
+                      (in_jumps == 1 ? "does" : "do") + " not count: it is not in equilibrium there");
   if (!problem.noise.is_absolute)
     remarks.push_back(
         "the noise is not known and too few rows repeat to estimate it: explanations are compared with each "

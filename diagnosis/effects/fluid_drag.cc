@@ -21,8 +21,10 @@ class FluidDrag : public Effect {
         {Motion::normal}};
     return d;
   }
+  /// A few samples below first touch may be noise of the displacement.
   bool can_show(const Experiment& e) const override {
-    return e.has_off_contact && e.has_trace && e.has_time && e.has_unloading && e.response_is_force &&
+    constexpr std::size_t fewest = 20;
+    return e.off_contact >= fewest && e.has_trace && e.has_time && e.has_unloading && e.response_is_force &&
            e.fastest_approach > 0;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

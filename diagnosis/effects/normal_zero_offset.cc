@@ -18,8 +18,10 @@ class NormalZeroOffset : public Effect {
         {Motion::normal}};
     return d;
   }
+  /// A few samples below first touch may be noise of the displacement.
   bool can_show(const Experiment& e) const override {
-    return e.has_off_contact && e.has_trace && e.response_is_force;
+    constexpr std::size_t fewest = 20;
+    return e.off_contact >= fewest && e.has_trace && e.response_is_force;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_response;

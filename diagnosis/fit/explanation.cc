@@ -204,6 +204,7 @@ std::vector<ModelFit> ModelFit::in_simpler_form(const FitProblem& problem) const
     const Effect* simpler = &effect_of(form.effect);
     if (std::find(effects.begin(), effects.end(), simpler) != effects.end()) continue;
     effects[e] = simpler;
+    std::sort(effects.begin(), effects.end());  // as the search orders its sets
     if (!Explanation::compatible(effects)) continue;
     const auto simple =
         std::make_shared<Explanation>(problem.experiment, problem.choice, effects, explanation->correction());

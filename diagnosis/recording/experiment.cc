@@ -97,6 +97,7 @@ void take_run(Experiment& e, Gathered& all, const SampleRun& run, const Samples&
 }  // namespace
 
 Experiment experiment_of(const Recording& recording, const Samples& samples) {
+  constexpr double least_part = 0.02;  // of the largest displacement, beyond which nothing touches
   Experiment e;
   take_bodies(e, recording);
   e.smallest_force = e.smoothest = e.smallest_radius = std::numeric_limits<double>::infinity();
@@ -118,6 +119,11 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
   e.has_both_directions = all.forward && all.backward;
   e.has_unloading = recording.mode == Motion::normal && all.backward;
   e.has_off_contact = recording.mode == Motion::normal && all.shallowest < 0;
+  if (e.has_off_contact)
+    e.off_contact = static_cast<std::size_t>(
+        std::count_if(samples.list.begin(), samples.list.end(), [&](const Sample& s) {
+          return s.counts && s.normal_displacement < -least_part * e.largest_displacement;
+        }));
   constexpr double outermost = 0.05;  // beyond, speeds are those of single steps near turns
   e.slowest = quantile(all.speeds, outermost);
   e.fastest = quantile(all.speeds, 1 - outermost);

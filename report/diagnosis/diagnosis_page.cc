@@ -255,12 +255,8 @@ std::string how_section(const Diagnosis& d) {
 }
 
 /// Its material, or else its modulus.
-template <class Body>
-std::string body_words(const Body& body, const std::string& before, const std::string& after) {
-  return before +
-         (body.material.empty() ? "a body of " + with_unit(body.youngs_modulus, "Pa")
-                                : escaped(body.material)) +
-         after;
+std::string body_words(const RecordedBody& body) {
+  return body.material.empty() ? "a body of " + with_unit(body.youngs_modulus, "Pa") : escaped(body.material);
 }
 
 std::string subtitle(const Recording& recording) {
@@ -268,8 +264,8 @@ std::string subtitle(const Recording& recording) {
   char date[64];
   std::strftime(date, sizeof date, "asperity diagnose, written %Y-%m-%d %H:%M", std::localtime(&now));
   return "mode " + name_of(recording.mode) + ", particle of radius " +
-         with_unit(recording.particle.radius, "m") + body_words(recording.particle, " (", ")") + " on " +
-         body_words(recording.substrate, "", "") + " · " + date;
+         with_unit(recording.particle.radius, "m") + " (" + body_words(recording.particle) + ") on " +
+         body_words(recording.substrate) + " · " + date;
 }
 
 }  // namespace

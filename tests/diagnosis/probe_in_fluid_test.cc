@@ -107,6 +107,7 @@ TEST(ProbeInFluid_analytic, adhesion_drag_and_zero_are_named_with_their_sizes) {
   ASSERT_EQ(named(d), (std::vector<std::string>{"adhesion", "fluid_drag", "normal_zero_offset"}))
       << diagnosis_json(d);
   EXPECT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  EXPECT_NE(diagnosis_json(d).find("samples in which the probe jumps"), std::string::npos);
   EXPECT_NEAR(first_of(d, "adhesion").value, probe.pull_off, 0.05 * probe.pull_off);
   EXPECT_NEAR(first_of(d, "fluid_drag").value, probe.drag, 0.02 * probe.drag);
   EXPECT_NEAR(first_of(d, "normal_zero_offset").value, probe.zero, 0.05 * nN);
