@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "app/expected_times.h"
 #include "app/folder_lock.h"
 #include "app/study_folders.h"
 #include "core/atomic_file.h"
@@ -194,9 +195,7 @@ class StudyRun {
     const std::string& name = study_.cases[running.index].name;
     if (status == 0 && folders_.has_result(running.index)) {
       progress.state = State::done;
-      ++solved_;
-      seconds_of_solved_ += progress.seconds;
-      expected_of_solved_ += expected_[running.index];
+      times_.was_solved(running.index, progress.seconds);
     } else if (!running.stopped_for.empty()) {
       progress.state = State::stopped;
       progress.message = running.stopped_for;
@@ -220,24 +219,23 @@ class StudyRun {
 
   /// Of the cases that are to be solved in this run.
   void expect_times(long to_do) {
-    expected_.assign(study_.cases.size(), 1.0);
+    std::vector<double> expected(study_.cases.size(), 1.0);
     double sum = 0;
     for (std::size_t i = 0; i < study_.cases.size() && options_.expected_seconds; ++i)
       if (progress_[i].state == State::waiting && chosen(i))
-        sum += expected_[i] = options_.expected_seconds(study_.cases[i]);
+        sum += expected[i] = options_.expected_seconds(study_.cases[i]);
     if (to_do > 1 && sum > 0) options_.say("about " + wait_text(sum / parallel_) + ", to a factor of two");
+    times_ = ExpectedTimes(std::move(expected));
   }
 
-  /// From what the cases solved in this run took of what was expected of them.
   std::string time_left() const {
-    if (solved_ == 0) return "";
-    const double of_expected = seconds_of_solved_ / expected_of_solved_;
+    if (!times_.are_known()) return "";
     double seconds = 0;
     for (std::size_t i = 0; i < progress_.size(); ++i)
-      if (progress_[i].state == State::waiting && chosen(i)) seconds += of_expected * expected_[i];
+      if (progress_[i].state == State::waiting && chosen(i)) seconds += times_.left_of(i, 0);
     for (const auto& running : running_)
       if (progress_[running.index].state == State::running)
-        seconds += std::max(0.0, of_expected * expected_[running.index] - seconds_since(running.start));
+        seconds += times_.left_of(running.index, seconds_since(running.start));
     return seconds > 0 ? "; about " + wait_text(seconds / parallel_) + " left" : "";
   }
 
@@ -283,9 +281,7 @@ class StudyRun {
   std::size_t next_ = 0;
   int parallel_ = 1;
   long chosen_ = 0;
-  int solved_ = 0;
-  double seconds_of_solved_ = 0, expected_of_solved_ = 0;  ///< [s]
-  std::vector<double> expected_;                           ///< of each case, on one core [s]
+  ExpectedTimes times_;
   Clock::time_point last_report_ = Clock::now(), last_look_ = Clock::now();
 };
 
