@@ -138,12 +138,13 @@ TEST(Samples_analytic, have_the_rate_of_their_approach_in_spite_of_noise) {
 
 TEST(Samples_analytic, are_off_contact_beyond_a_fiftieth_of_the_depth) {
   const auto off_contact = [](double from) {
-    const Recording recording = driven(Motion::normal, zigzag({from, 1e-7, from}, 100));
+    const Recording recording = driven(Motion::normal, zigzag({from, 1.1e-7, from}, 100));
     return experiment_of(recording, samples_of(recording)).off_contact;
   };
   EXPECT_EQ(off_contact(0), 0u);
-  EXPECT_EQ(off_contact(-1e-9), 0u);        // noise of the displacement goes as far
-  EXPECT_EQ(off_contact(-1e-7), 100u - 2);  // half of 201 samples, 2 nm of 100 nm less on each way
+  EXPECT_EQ(off_contact(-2e-9), 0u);  // noise of the displacement goes as far
+  // Steps of 2.1 nm, the first 47 of which end below -2.2 nm, on each way.
+  EXPECT_EQ(off_contact(-1e-7), 2 * 47u);
 }
 
 TEST(Samples_analytic, in_which_the_probe_jumps_do_not_count) {
