@@ -224,7 +224,8 @@ class StudyRun {
     for (std::size_t i = 0; i < study_.cases.size() && options_.expected_seconds; ++i)
       if (progress_[i].state == State::waiting && chosen(i))
         sum += expected[i] = options_.expected_seconds(study_.cases[i]);
-    if (to_do > 1 && sum > 0) options_.say("about " + wait_text(sum / parallel_) + ", to a factor of two");
+    if (to_do > 1 && sum > 0)
+      options_.say("all together about " + wait_text(sum / parallel_) + ", to a factor of two");
     times_ = ExpectedTimes(std::move(expected));
   }
 

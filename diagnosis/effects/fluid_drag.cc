@@ -24,8 +24,8 @@ class FluidDrag : public Effect {
   /// A few samples below first touch may be noise of the displacement.
   bool can_show(const Experiment& e) const override {
     constexpr std::size_t fewest = 20;
-    return e.off_contact >= fewest && e.has_trace && e.has_time && e.has_unloading && e.response_is_force &&
-           e.fastest_approach > 0;
+    return e.samples_off_contact >= fewest && e.has_trace && e.has_time && e.has_unloading &&
+           e.response_is_force && e.fastest_approach > 0;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     constexpr double slow = 1e-12;  // where nothing moves, for which it is not asked [m/s]

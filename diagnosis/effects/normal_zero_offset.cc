@@ -21,7 +21,7 @@ class NormalZeroOffset : public Effect {
   /// A few samples below first touch may be noise of the displacement.
   bool can_show(const Experiment& e) const override {
     constexpr std::size_t fewest = 20;
-    return e.off_contact >= fewest && e.has_trace && e.response_is_force;
+    return e.samples_off_contact >= fewest && e.has_trace && e.response_is_force;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double f = e.largest_response;

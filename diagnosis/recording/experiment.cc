@@ -120,7 +120,7 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
   e.has_unloading = recording.mode == Motion::normal && all.backward;
   e.has_off_contact = recording.mode == Motion::normal && all.shallowest < 0;
   if (e.has_off_contact)
-    e.off_contact = static_cast<std::size_t>(
+    e.samples_off_contact = static_cast<std::size_t>(
         std::count_if(samples.list.begin(), samples.list.end(), [&](const Sample& s) {
           return s.counts && s.normal_displacement < -least_part * e.largest_displacement;
         }));

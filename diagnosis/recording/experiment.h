@@ -39,7 +39,7 @@ struct Experiment {
   bool has_trace = false, has_series = false, has_both_directions = false, has_unloading = false,
        has_off_contact = false;
   /// Samples below first touch by more than a fiftieth of the largest displacement.
-  std::size_t off_contact = 0;
+  std::size_t samples_off_contact = 0;
   bool has_time = false;
   bool response_is_force = false;  ///< a normal force is recorded under a driven displacement
   /// The simulation is a case of finite elements: laws keep only what its entries can say.

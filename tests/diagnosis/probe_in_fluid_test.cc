@@ -1,5 +1,5 @@
 // A sphere on a soft cantilever in a liquid, as a force microscope has it. The truth is an equation of
-// motion: the base moves, the fluid resists, the surface attracts over a range, and the probe jumps off it.
+// motion: the base moves, the fluid resists, the surface adheres, and the probe jumps off it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <random>
 
 #include "diagnosis/diagnose.h"
-#include "diagnosis/recording/probe_jumps.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -19,11 +18,11 @@ constexpr double nN = 1e-9;
 
 struct Probe {
   double stiffness = 0.3;     ///< of the cantilever [N/m]
-  double drag = 0;            ///< [N s/m]
+  double drag = 1e-3;         ///< [N s/m]
   double zero = 0, tilt = 0;  ///< of the sensor [N], [N/m]
   double pull_off = 20 * nN;  ///< [N]
   double compliance = 0;      ///< of the sample's holder [m/N]
-  double deepest = 150 * nm;  ///< of the base, beyond first touch [m]
+  double ripple = 0;          ///< of the contact's force, over 10 nm, which no effect has [-]
 };
 
 /// Johnson, Kendall & Roberts: the contact closes at first touch and opens where it has no equilibrium any
@@ -53,7 +52,7 @@ class AdhesiveContact {
 
 /// Base there and back at 5 um/s with holds at both ends, 1 kHz; drag d' = k (base - d) - f_contact(d).
 Recording probed(const Probe& probe, unsigned seed) {
-  constexpr double speed = 5e-6, farthest = -1500 * nm, step = 1e-5, held = 0.1;
+  constexpr double speed = 5e-6, farthest = -1500 * nm, step = 1e-5, held = 0.1, deepest = 150 * nm;
   Recording r;
   r.mode = Motion::normal;
   r.particle = {"glass", 70e9, 0.2, 8e-6, 0, RecordedBody::unknown};
@@ -64,7 +63,7 @@ Recording probed(const Probe& probe, unsigned seed) {
   table.response = "normal_force";
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  const double ramp = (probe.deepest - farthest) / speed, whole = 2 * ramp + 3 * held;
+  const double ramp = (deepest - farthest) / speed, whole = 2 * ramp + 3 * held;
   AdhesiveContact contact(probe.pull_off);
   double d = farthest;
   for (int i = 0; i * step < whole; ++i) {
@@ -72,7 +71,7 @@ Recording probed(const Probe& probe, unsigned seed) {
                  moved = std::clamp(t - held, 0.0, ramp) - std::clamp(t - 2 * held - ramp, 0.0, ramp),
                  base = farthest + speed * moved;
     const double spring = probe.stiffness * (base - d);
-    const double contact_force = contact.force(d);
+    const double contact_force = contact.force(d) * (1 + probe.ripple * std::sin(2 * M_PI * d / (10 * nm)));
     d += (spring - contact_force) / probe.drag * step;
     if (i % 100 != 0) continue;
     table.columns["run"].push_back(1);
@@ -102,7 +101,7 @@ const DiagnosedParameter& first_of(const Diagnosis& d, const std::string& id) {
 
 TEST(ProbeInFluid_analytic, adhesion_drag_and_zero_are_named_with_their_sizes) {
   Probe probe;
-  probe.drag = 1e-3, probe.zero = -2 * nN;
+  probe.zero = -2 * nN;
   const Diagnosis d = diagnose(probed(probe, 1));
   ASSERT_EQ(named(d), (std::vector<std::string>{"adhesion", "fluid_drag", "normal_zero_offset"}))
       << diagnosis_json(d);
@@ -115,7 +114,7 @@ TEST(ProbeInFluid_analytic, adhesion_drag_and_zero_are_named_with_their_sizes) {
 
 TEST(ProbeInFluid_analytic, what_samples_off_contact_show_leaves_room_for_more) {
   Probe probe;
-  probe.drag = 1e-3, probe.zero = 3 * nN, probe.tilt = 8e-3, probe.compliance = 0.15, probe.pull_off = 0;
+  probe.zero = 3 * nN, probe.tilt = 8e-3, probe.compliance = 0.15, probe.pull_off = 0;
   const Diagnosis d = diagnose(probed(probe, 2));
   ASSERT_EQ(named(d), (std::vector<std::string>{"baseline_tilt", "fluid_drag", "instrument_compliance",
                                                 "normal_zero_offset"}))
@@ -124,6 +123,18 @@ TEST(ProbeInFluid_analytic, what_samples_off_contact_show_leaves_room_for_more) 
   EXPECT_NEAR(first_of(d, "baseline_tilt").value, probe.tilt, 0.05 * probe.tilt);
   EXPECT_NEAR(first_of(d, "fluid_drag").value, probe.drag, 0.02 * probe.drag);
   EXPECT_NEAR(first_of(d, "instrument_compliance").value, probe.compliance, 0.05 * probe.compliance);
+}
+
+TEST(ProbeInFluid_analytic, what_samples_off_contact_show_is_named_though_structure_remains_in_contact) {
+  // Zero and drag are a small part of the mismatch, most of which the compliance makes.
+  Probe probe;
+  probe.zero = 0.4 * nN, probe.drag = 1e-4, probe.compliance = 0.3, probe.pull_off = 0, probe.ripple = 0.15;
+  const Diagnosis d = diagnose(probed(probe, 3));
+  EXPECT_EQ(d.verdict, Verdict::partly_explained);
+  ASSERT_EQ(named(d), (std::vector<std::string>{"fluid_drag", "instrument_compliance", "normal_zero_offset"}))
+      << diagnosis_json(d);
+  EXPECT_NEAR(first_of(d, "fluid_drag").value, probe.drag, 0.1 * probe.drag);
+  EXPECT_NEAR(first_of(d, "normal_zero_offset").value, probe.zero, 0.2 * nN);
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST(Samples_analytic, have_the_rate_of_their_approach_in_spite_of_noise) {
 TEST(Samples_analytic, are_off_contact_beyond_a_fiftieth_of_the_depth) {
   const auto off_contact = [](double from) {
     const Recording recording = driven(Motion::normal, zigzag({from, 1.1e-7, from}, 100));
-    return experiment_of(recording, samples_of(recording)).off_contact;
+    return experiment_of(recording, samples_of(recording)).samples_off_contact;
   };
   EXPECT_EQ(off_contact(0), 0u);
   EXPECT_EQ(off_contact(-2e-9), 0u);  // noise of the displacement goes as far
