@@ -8,7 +8,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double few_sticking = 0.02, flat_share = 0.02;
+constexpr double few_sticking = 0.02, few_sticking_in_spin = 0.05, flat_share = 0.02;
 
 double slope_to(const Values& x, const Values& y, std::size_t row) {
   return (y[row] - y[row - 1]) / (x[row] - x[row - 1]);
@@ -47,9 +47,9 @@ std::size_t first_steady_row(const MotionRows& rows, const MotionLeg& leg) {
     const double path_length = std::abs(rows.position[i] - rows.position[leg.first]);
     if (rows.rolling_radius > 0) {
       if (path_length * rows.rolling_radius >= rows.contact_radius[i]) return i;
-    } else if (rows.sticking[i] <= few_sticking) {
+    } else if (rows.sticking[i] <= (rows.spins ? few_sticking_in_spin : few_sticking)) {
       // Under little friction a contact slips as it is pressed: what sticks then tells nothing.
-      return i == leg.first + 1 ? past_first_rise(rows.resistance, leg, i) : i;
+      return rows.spins || i == leg.first + 1 ? past_first_rise(rows.resistance, leg, i) : i;
     }
   }
   return leg.last + 1;

@@ -2,11 +2,14 @@
 // derive, compare and the study of resistances go by. SI units.
 //
 // A motion is cut into legs at its reversals. A leg is steady from its onset on, for three rows at least:
-// - sliding, spinning: from the first row with at most 2 % of the active contact nodes sticking (nodes
-//   that have just come into contact, or lie at the axis of a spin, may stick while the contact slips as a
-//   whole); where none stick from the first row on, as under little friction, from where the resistance has
-//   risen to 99 % of its mean behind, or falls. Where a history does not say, from where the resistance has
-//   stopped to grow: two slopes in a row below a fiftieth of the steepest of the first three steps.
+// - sliding: from the first row with at most 2 % of the active contact nodes sticking (nodes that have just
+//   come into contact may stick while the contact slips as a whole); where none stick from the first row on,
+//   as under little friction, from where the resistance has risen to 99 % of its mean behind, or falls. Where
+//   a history does not say, from where the resistance has stopped to grow: two slopes in a row below a
+//   fiftieth of the steepest of the first three steps.
+// - spinning: from 5 % on, and in any case from where the resistance has risen so: what lies at the axis
+//   sticks last, and of a coarse mesh, or a contact of few spots, one node is more than 2 %. A twentieth
+//   of the area about the axis has a hundredth of the moment (0.05^(3/2)).
 // - rolling: after a path length of one contact radius, so that the contact that was pressed has been left.
 // The resistance is the energy dissipated per path length or angle on the first pass, over surfaces not yet
 // passed. The force has a conservative topographic part as well, which averages out over a long path only and
@@ -34,6 +37,7 @@ struct MotionRows {
   std::vector<double> contact_radius;  ///< [m]; asked of a rolling motion alone
   std::vector<double> sticking;        ///< share of the active contact nodes; empty where it is not known
   double rolling_radius = 0;           ///< path length of the contact per angle [m]; 0: it does not roll
+  bool spins = false;                  ///< about its normal: the position is an angle of torsion
 };
 
 inline constexpr std::size_t fewest_steady_rows = 3;

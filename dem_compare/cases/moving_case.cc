@@ -22,8 +22,12 @@ double mean_of(const Values& values, std::size_t first, std::size_t last) {
 }
 
 MotionRows rows_of(const EnergyHistory& history, const PathOfMotion& motion) {
-  return {history.position, history.resistance, history.contact_radius, history.sticking,
-          motion.rolls() ? motion.arm : 0};
+  return {history.position,
+          history.resistance,
+          history.contact_radius,
+          history.sticking,
+          motion.rolls() ? motion.arm : 0,
+          motion.kind == Motion::torsion};
 }
 
 Values sum_of(const Values& a, const Values& b, const Values& c) {

@@ -28,10 +28,11 @@ struct Steady {
 
 Steady steady_part(const std::vector<HistoryRow>& records, Column position, Column resistance,
                    double rolling_radius) {
-  Steady steady{{values_of(records, position), values_of(records, resistance),
-                 values_of(records, &HistoryRow::pressure_radius),
-                 values_of(records, &HistoryRow::sticking_share), rolling_radius},
-                {}};
+  Steady steady{
+      {values_of(records, position), values_of(records, resistance),
+       values_of(records, &HistoryRow::pressure_radius), values_of(records, &HistoryRow::sticking_share),
+       rolling_radius, position == &HistoryRow::torsion_angle},
+      {}};
   steady.where = steady_rows_of_first_leg(steady.rows);
   return steady;
 }

@@ -40,6 +40,19 @@ TEST(SteadyMotion_analytic, sliding_is_steady_from_two_per_cent_of_sticking_on_i
   EXPECT_FALSE(steady_rows_of_first_leg({}).reached());
 }
 
+/// Of the 40 to 50 active nodes of a coarse contact one or two are about the axis.
+TEST(SteadyMotion_analytic, spinning_is_steady_from_five_per_cent_of_sticking_on_where_the_moment_has_risen) {
+  MotionRows rows;
+  rows.position = {0, -1, -2, -3, -4, -5, -6};
+  rows.sticking = {1, 0.5, 0.051, 0.05, 0.04, 0.03, 0.03};
+  rows.resistance = {0, -50, -90, -96, -100, -101, -100};
+  EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 7u);
+  rows.spins = true;
+  EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 4u);
+  rows.resistance[3] = -99.5;
+  EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 3u);
+}
+
 TEST(SteadyMotion_analytic, rolling_is_steady_after_a_contact_radius_of_way_in_either_direction) {
   MotionRows rows;
   rows.rolling_radius = 10;
