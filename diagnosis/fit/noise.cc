@@ -174,36 +174,6 @@ Noise estimate_noise(const Recording& recording, const Samples& samples,
   return noise;
 }
 
-std::size_t mark_outliers(Samples& samples, const std::vector<double>& residual, const Noise& noise) {
-  constexpr long reach = 4;
-  constexpr double far = 6, most_of_all = 0.05;
-  std::vector<std::size_t> marked;
-  for (const auto& run : samples.runs) {
-    if (run.independent_rows) continue;
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      if (!samples.list[i].counts) continue;
-      std::vector<double> near;
-      for (long k = -reach; k <= reach; ++k) {
-        const long j = static_cast<long>(i) + k;
-        if (k == 0 || j < static_cast<long>(run.begin) || j >= static_cast<long>(run.end)) continue;
-        if (samples.list[static_cast<std::size_t>(j)].counts)
-          near.push_back(residual[static_cast<std::size_t>(j)]);
-      }
-      if (near.size() < 4) continue;
-      const double middle = median(near);
-      for (double& value : near) value = std::abs(value - middle);
-      const double spread = std::max(noise.sd[i], 1.4826 * median(near));
-      // Beyond all its neighbours, not only off their middle: the edge of a step is none.
-      if (std::abs(residual[i] - middle) > far * spread &&
-          std::abs(residual[i] - middle) > 2 * *std::max_element(near.begin(), near.end()))
-        marked.push_back(i);
-    }
-  }
-  if (static_cast<double>(marked.size()) > most_of_all * static_cast<double>(samples.list.size())) return 0;
-  for (const std::size_t i : marked) samples.list[i].counts = false;
-  return marked.size();
-}
-
 void mark_beginnings(Samples& samples, const Noise& noise) {
   constexpr double clear = 3;      // standard deviations
   constexpr double sliding = 0.9;  // of the force later in the segment

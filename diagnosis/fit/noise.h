@@ -38,9 +38,6 @@ constexpr double may_be_off = 1.25, most_off = 1.7;
 bool refine_noise(const Samples& samples, const std::vector<double>& residual, Noise& noise,
                   double off = may_be_off);
 
-/// Marks samples that lie far off their neighbours (Hampel 1974) as not counting; returns how many.
-std::size_t mark_outliers(Samples& samples, const std::vector<double>& residual, const Noise& noise);
-
 /// What came before a record is not known: a run begins under the lateral force recorded first, and where it
 /// reverses later, its samples up to the first sliding do not count (they depend on that force, and all they
 /// can tell comes again).

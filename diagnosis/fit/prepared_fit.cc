@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "diagnosis/fit/outliers.h"
 #include "diagnosis/recording/probe_jumps.h"
 
 namespace asperity {

@@ -70,10 +70,6 @@ void leave_out_spikes(const Samples& samples, std::vector<double>& ratio) {
   }
 }
 
-struct BinMoments {
-  double mean = 0, square = 0;
-};
-
 BinMoments moments(const Bin& bin, const std::vector<double>& ratio) {
   BinMoments m;
   for (const std::size_t i : bin.samples) {
@@ -140,6 +136,13 @@ MismatchRegion region_of(const Run& run, const View& view, const Samples& sample
 
 }  // namespace
 
+double Scanner::departure(const BinMoments& m, const BinScale& scale, double allowed) {
+  const double coherent = m.mean * m.mean / (scale.mean * scale.mean + allowed);
+  const double part = scale.square * scale.square / 9;  // 2/(9 n) of n independent samples
+  const double q = (std::cbrt(std::max(0.0, m.square - allowed)) - (1 - part)) / std::sqrt(part);
+  return std::max(coherent, q > 0 ? q * q : 0.0);
+}
+
 double chi2_reduced(const Samples& samples, const std::vector<double>& residual, const Noise& noise) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < residual.size(); ++i)
@@ -173,12 +176,8 @@ Scanner::Scanner(const Samples& samples, const Experiment& experiment, const Noi
     double largest = 0;
     for (std::size_t v = 0; v < views_.size(); ++v) {
       std::vector<double> excess;
-      for (std::size_t b = 0; b < views_[v].bins.size(); ++b) {
-        const auto& m = all[v][b][static_cast<std::size_t>(n)];
-        const double q = (m.square - 1) / scales_[v][b].square;
-        excess.push_back(std::max(std::pow(m.mean / scales_[v][b].mean, 2), q > 0 ? q * q : 0.0) -
-                         background);
-      }
+      for (std::size_t b = 0; b < views_[v].bins.size(); ++b)
+        excess.push_back(departure(all[v][b][static_cast<std::size_t>(n)], scales_[v][b], 0) - background);
       std::vector<Run> runs;
       best_runs(excess, 0, excess.size(), runs, true);
       if (!runs.empty()) largest = std::max(largest, runs.front().score);
@@ -212,9 +211,7 @@ std::vector<double> Scanner::excess_of_bins(std::size_t v, const std::vector<dou
     double allowed = 0;
     for (const std::size_t i : bin.samples) allowed += allowance[i] * allowance[i];
     allowed /= static_cast<double>(bin.samples.size());
-    const double q = (m.square - 1 - allowed) / scales_[v][b].square;
-    const double coherent = m.mean * m.mean / (scales_[v][b].mean * scales_[v][b].mean + allowed);
-    excess.push_back(std::max(coherent, q > 0 ? q * q : 0.0) - background);
+    excess.push_back(departure(m, scales_[v][b], allowed) - background);
   }
   return excess;
 }

@@ -21,6 +21,11 @@ struct ScanResult {
   double chi2_reduced = 0;              ///< mean of (residual/sd)^2 [-]
 };
 
+/// Mean residual over sd in a bin, and its mean square [-].
+struct BinMoments {
+  double mean = 0, square = 0;  ///< [-]
+};
+
 /// Noise simulated once for all scans of the same recording.
 class Scanner {
  public:
@@ -39,6 +44,10 @@ class Scanner {
   std::vector<std::vector<BinScale>> scales_;
   std::vector<double> noise_scores_;  ///< largest region of each simulated noise, ascending
   double p_value(double score) const;
+  /// Square of how far a bin is from noise, in deviations: of its mean, or of its mean square as a normal
+  /// variable (Wilson & Hilferty 1931), so that bins of few samples stand out no more often than others.
+  /// `allowed`: mean square of what laws may be off by.
+  static double departure(const BinMoments& m, const BinScale& scale, double allowed);
   /// How far each bin of a view departs from noise, less the background.
   std::vector<double> excess_of_bins(std::size_t view, const std::vector<double>& ratio,
                                      const std::vector<double>& allowance) const;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "diagnosis/fit/noise.h"
+#include "diagnosis/fit/outliers.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -254,6 +255,20 @@ TEST(Outliers_behaviour, are_samples_far_off_all_of_their_neighbours) {
   EXPECT_FALSE(samples.list[30].counts);
   EXPECT_FALSE(samples.list[60].counts);
   EXPECT_TRUE(samples.list[80].counts);
+  // Two side by side, of either sign, in the midst and at an end; three are structure.
+  for (const double second : {8.0, -8.0})
+    for (const std::size_t at : {std::size_t{0}, std::size_t{40}, std::size_t{98}}) {
+      samples = flat_run(100);
+      residual.assign(100, 0.0);
+      residual[at] = 6.7, residual[at + 1] = second;
+      EXPECT_EQ(mark_outliers(samples, residual, unit_noise(100)), 2u) << at;
+      EXPECT_FALSE(samples.list[at].counts || samples.list[at + 1].counts);
+    }
+  samples = flat_run(100);
+  residual.assign(100, 0.0);
+  residual[60] = residual[61] = residual[62] = 20;
+  EXPECT_EQ(mark_outliers(samples, residual, unit_noise(100)), 0u);
+  residual.assign(100, 0.0);
   // The edge of a step is none.
   samples = flat_run(100);
   for (std::size_t i = 50; i < 100; ++i) residual[i] = 20;
