@@ -97,8 +97,9 @@ class Effect {
   /// Whether it gives a number of the simulation another value, and adds no physics: in the evidence it
   /// counts by its parameters alone, and it is no second law that would only mend what the first is off by.
   virtual bool is_another_value() const { return false; }
-  /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit.
-  virtual bool is_itself(const double*) const { return true; }
+  /// Whether parameters found stand for this effect, and not for a simpler one that it holds as a limit, nor
+  /// for something else whose form the recording shows.
+  virtual bool is_itself(const Experiment&, const double*) const { return true; }
   /// That simpler effect near these parameters; without a name where there is none.
   virtual SimplerForm simpler_form(const Experiment&, const double*) const { return {}; }
   /// How many effects its law stands for [-]: of one that holds another's as a limit both, so that in the

@@ -76,7 +76,7 @@ class AdhesionHysteresis : public Effect {
   bool can_show(const Experiment& e) const override { return e.has_unloading && e.has_trace; }
   int effects_held() const override { return 2; }  // adhesion, and its work that differs
   /// With works alike it is adhesion without hysteresis.
-  bool is_itself(const double* p) const override {
+  bool is_itself(const Experiment&, const double* p) const override {
     constexpr double least_ratio = 1.2;
     return p[1] > least_ratio * p[0];
   }

@@ -87,7 +87,7 @@ class Film : public Effect {
                : "";
   }
   /// Of the bodies' own modulus it is none.
-  bool is_itself(const double* p) const override {
+  bool is_itself(const Experiment&, const double* p) const override {
     constexpr double least_contrast = 1.1;
     return p[0] < 1 / least_contrast || p[0] > least_contrast;
   }

@@ -138,6 +138,11 @@ class StickSlip : public Effect {
     return {{"amplitude", "N", "A, drop of the force in an event", 1e-4 * f, 2 * f, true, {0.1 * f}},
             {"period", "m", "p, path between events", 1e-4 * path, 0.5 * path, true, {0.1 * path}}};
   }
+  /// A wave that rises as it falls is an oscillation: of the force in time, of the instrument.
+  bool is_itself(const Experiment& e, const double* p) const override {
+    constexpr double as_sudden = 0.5;
+    return !e.sliding_trace || e.sliding_trace->largest_suddenness(p[1], p[0]) > as_sudden;
+  }
   double numbers_read_off(const Experiment& e, const double* p) const override {
     return e.sliding_trace ? e.sliding_trace->windows(p[1]) : 0;
   }

@@ -189,7 +189,7 @@ std::vector<const double*> ModelFit::values_of_effects() const {
 bool ModelFit::is_itself() const {
   const auto at = values_of_effects();
   for (std::size_t e = 0; e < at.size(); ++e)
-    if (!explanation->effects()[e]->is_itself(at[e])) return false;
+    if (!explanation->effects()[e]->is_itself(explanation->experiment(), at[e])) return false;
   return true;
 }
 
@@ -198,7 +198,7 @@ std::vector<ModelFit> ModelFit::in_simpler_form(const FitProblem& problem) const
   std::vector<ModelFit> fits;
   for (std::size_t e = 0; e < at.size(); ++e) {
     std::vector<const Effect*> effects = explanation->effects();
-    if (effects[e]->is_itself(at[e])) continue;
+    if (effects[e]->is_itself(problem.experiment, at[e])) continue;
     const SimplerForm form = effects[e]->simpler_form(problem.experiment, at[e]);
     if (form.effect.empty()) continue;
     const Effect* simpler = &effect_of(form.effect);

@@ -36,6 +36,7 @@ class Explanation {
               std::shared_ptr<const BranchCorrection> correction = nullptr);
 
   const std::vector<const Effect*>& effects() const { return effects_; }
+  const Experiment& experiment() const { return experiment_; }
   /// What finite elements say beyond the reduced laws; null where the laws are the simulation.
   const std::shared_ptr<const BranchCorrection>& correction() const { return correction_; }
   const std::vector<FreeParameter>& parameters() const { return parameters_; }

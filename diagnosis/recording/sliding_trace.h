@@ -21,6 +21,10 @@ class SlidingTrace {
   std::vector<double> phases(double period) const;
   /// How many phases of different windows those are [-]: numbers taken from the recording.
   double windows(double period) const;
+  /// How sudden a wave drops: the third moment of its differences over a fifth of the period [m], over that
+  /// of a saw-tooth that drops by `drop` [N] [-]. 1: a saw-tooth; 0: a wave that rises as it falls. Upper end
+  /// of the 95 % interval; at least 1 where the samples are too few to say.
+  double largest_suddenness(double period, double drop) const;
 
  private:
   struct Point {

@@ -168,9 +168,9 @@ TEST(Adhesion_analytic, on_a_law_that_yields_is_a_constant_pull_while_that_press
 TEST(AdhesionHysteresis_analytic, is_itself_where_opening_takes_a_fifth_more_work) {
   const Effect& effect = effect_of("adhesion_hysteresis");
   const double more[] = {1, 1.21}, alike[] = {1, 1.19}, less[] = {2, 1};
-  EXPECT_TRUE(effect.is_itself(more));
-  EXPECT_FALSE(effect.is_itself(alike));
-  EXPECT_FALSE(effect.is_itself(less));
+  EXPECT_TRUE(effect.is_itself(Experiment{}, more));
+  EXPECT_FALSE(effect.is_itself(Experiment{}, alike));
+  EXPECT_FALSE(effect.is_itself(Experiment{}, less));
 }
 
 /// The state of a pinned edge: f = 2 E* (a d - a^3/(3 R)) with the radius of the turn.

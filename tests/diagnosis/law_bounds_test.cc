@@ -121,6 +121,29 @@ TEST(LawBounds_behaviour, noise_without_events_is_no_stick_slip) {
   EXPECT_EQ(diagnose(loops_of_small_events(0, 85 * nm, 1.1 * uN)).verdict, Verdict::no_mismatch);
 }
 
+/// Found in blind recordings, where noise was taken for larger than it is.
+TEST(LawBounds_analytic, a_force_that_oscillates_in_time_is_no_stick_slip) {
+  Recording recording = loops_of_small_events(0, 85 * nm, 0.5 * uN);
+  auto& table = recording.tables[0];
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    table.columns["lateral_force"][i] += 3 * uN * std::sin(2 * M_PI * table.columns["time"][i] / 0.217);
+  const Diagnosis d = diagnose(recording);
+  EXPECT_EQ(d.verdict, Verdict::unexplained) << diagnosis_json(d);
+  EXPECT_TRUE(d.left_out.empty());
+}
+
+TEST(LawBounds_analytic, drops_that_an_amplifier_smears_over_four_samples_are_stick_slip) {
+  Recording recording = loops_of_small_events(4 * uN, 85 * nm, 0.5 * uN);
+  auto& force = recording.tables[0].columns["lateral_force"];
+  const std::vector<double> given = force;
+  for (std::size_t i = 3; i < force.size(); ++i)
+    if (i % 120 >= 3) force[i] = 0.25 * (given[i] + given[i - 1] + given[i - 2] + given[i - 3]);
+  const Diagnosis d = diagnose(recording);
+  ASSERT_EQ(d.left_out.size(), 1u) << diagnosis_json(d);
+  EXPECT_EQ(d.left_out[0].id, "stick_slip");
+  EXPECT_NEAR(d.left_out[0].parameters[1].value / (85 * nm), 1, 0.05);
+}
+
 /// Of an instrument the data say how far it is off its law, of a contact its law does.
 TEST(LawBounds_analytic, accuracy_is_what_the_data_show_of_an_instrument_and_what_a_contact_states) {
   FitProblem problem;
