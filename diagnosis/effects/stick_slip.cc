@@ -140,8 +140,12 @@ class StickSlip : public Effect {
   }
   /// A wave that rises as it falls is an oscillation: of the force in time, of the instrument.
   bool is_itself(const Experiment& e, const double* p) const override {
-    constexpr double as_sudden = 0.5;
-    return !e.sliding_trace || e.sliding_trace->largest_suddenness(p[1], p[0]) > as_sudden;
+    constexpr double clearly = 8;  // in log evidence
+    if (!e.sliding_trace) return true;
+    const auto as_saw_tooth = [](double phase) { return saw_tooth(phase, uncertainty_of_phase); };
+    const auto as_sine = [](double phase) { return -std::sin(2 * M_PI * phase); };
+    return e.sliding_trace->log_likelihood(p[1], as_sine) <
+           e.sliding_trace->log_likelihood(p[1], as_saw_tooth) + clearly;
   }
   double numbers_read_off(const Experiment& e, const double* p) const override {
     return e.sliding_trace ? e.sliding_trace->windows(p[1]) : 0;

@@ -61,33 +61,24 @@ std::vector<double> SlidingTrace::phases(double period) const {
   return phases;
 }
 
-double SlidingTrace::largest_suddenness(double period, double drop) const {
-  constexpr double lag_of_period = 0.2, longest_lag = 0.45;
-  double cubes = 0, squares = 0, expected = 0, count = 0, independent = 0;
+double SlidingTrace::log_likelihood(double period, const Shape& shape) const {
+  const std::vector<double> phase = phases(period);
+  double forces = 0, both = 0, shapes = 0, count = 0;
   for (const Part& part : parts_) {
-    const auto from = static_cast<std::size_t>(
-        std::find_if(part.begin(), part.end(), [](const Point& point) { return point.slides; }) -
-        part.begin());
-    const double spacing = (part.back().path - part[from].path) / static_cast<double>(part.size() - 1 - from);
-    const auto lag = static_cast<std::size_t>(std::max(1.0, std::round(lag_of_period * period / spacing)));
-    const double q = static_cast<double>(lag) * spacing / period;
-    if (!(spacing > 0) || !(q < longest_lag) || from + 2 * lag >= part.size()) continue;
-    const auto differences = static_cast<double>(part.size() - lag - from);
-    double slope = 0;
-    for (std::size_t i = from + lag; i < part.size(); ++i)
-      slope += (part[i].force - part[i - lag].force) / differences;
-    for (std::size_t i = from + lag; i < part.size(); ++i) {
-      const double cube = std::pow(part[i].force - part[i - lag].force - slope, 3);
-      cubes += cube;
-      squares += cube * cube;
+    double sum = 0, sliding = 0;
+    for (const Point& point : part)
+      if (point.slides) sum += shape(phase[point.index]), ++sliding;
+    for (const Point& point : part) {
+      if (!point.slides) continue;
+      const double s = shape(phase[point.index]) - sum / sliding;
+      forces += point.force * point.force;
+      both += point.force * s;
+      shapes += s * s;
     }
-    expected -= differences * std::pow(drop, 3) * q * (1 - q) * (1 - 2 * q);
-    count += differences;
-    independent += differences / static_cast<double>(lag);
+    count += sliding;
   }
-  if (!(independent > 1) || !(expected < 0)) return 1;
-  const double variance = std::max(0.0, squares / count - std::pow(cubes / count, 2));
-  return cubes / expected + 2 * count / std::abs(expected) * std::sqrt(variance / independent);
+  const double left = forces - (shapes > 0 ? both * both / shapes : 0);
+  return left > 0 ? -0.5 * count * std::log(left / count) : 0;
 }
 
 double SlidingTrace::windows(double period) const {

@@ -2,6 +2,7 @@
 // and a recording does.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "diagnosis/recording/samples.h"
@@ -21,10 +22,11 @@ class SlidingTrace {
   std::vector<double> phases(double period) const;
   /// How many phases of different windows those are [-]: numbers taken from the recording.
   double windows(double period) const;
-  /// How sudden a wave drops: the third moment of its differences over a fifth of the period [m], over that
-  /// of a saw-tooth that drops by `drop` [N] [-]. 1: a saw-tooth; 0: a wave that rises as it falls. Upper end
-  /// of the 95 % interval; at least 1 where the samples are too few to say.
-  double largest_suddenness(double period, double drop) const;
+  /// Over the part of a period that has passed, 0 to 1.
+  using Shape = std::function<double(double phase)>;
+  /// Log likelihood of what is recorded as a wave of this period [m] and shape, its amplitude and the noise
+  /// as fits best, up to what all shapes share [-].
+  double log_likelihood(double period, const Shape& shape) const;
 
  private:
   struct Point {
