@@ -89,6 +89,7 @@ FitQuality quality_of(const FitProblem& problem, const ModelFit& fit, const Held
   FitQuality q;
   q.chi2_reduced = chi2_reduced(problem.samples, residual_beyond_surfaces(problem, fit), problem.noise);
   q.held_out_chi2_reduced = held_out.chi2_reduced;
+  q.samples = fit.count;
   std::map<std::string, std::pair<double, double>> sums;
   for (const auto& run : problem.samples.runs)
     for (std::size_t i = run.begin; i < run.end; ++i)
@@ -172,12 +173,13 @@ namespace {
 std::string what_is_left(const Diagnosis& d) {
   if (d.rows_are_points_of_a_curve)
     return ": the rows are points of a curve that was fitted, which it goes through.";
-  if (d.improved.chi2_reduced >= largest_of_noise)
+  const double of_noise = largest_of_noise(d.improved.samples);
+  if (d.improved.chi2_reduced >= of_noise)
     return d.simulation.by_finite_elements
                ? ", more than noise, but no more than mesh and laws of this kind are off by."
                : ", more than noise, but no more than laws of this kind are off by.";
   constexpr double clearly_more = 2;  // than the largest that noise leaves
-  if (d.improved.held_out_chi2_reduced >= clearly_more * largest_of_noise)
+  if (d.improved.held_out_chi2_reduced >= clearly_more * of_noise)
     return ", which is noise where it was fitted and more than noise where it was not.";
   return ", which is noise.";
 }

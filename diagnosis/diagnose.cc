@@ -56,7 +56,7 @@ class Diagnoser {
       scanner_of_noise = new_scanner();
     }
     ScanResult before = scan_of_baseline(*scanner_of_noise);
-    bool seems_noise = !problem_.noise.is_absolute || is_noise_as_known(before);
+    bool seems_noise = !problem_.noise.is_absolute || is_noise_as_known(problem_, before, baseline_.count);
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
     judged_ = judged_sets(problem_, search_, *scanner_of_noise, blocks, baseline_held_out_,
@@ -93,13 +93,6 @@ class Diagnoser {
                                : scanner.scan(problem_.baseline_residual, LawError{});
   }
 
-  /// Steady waves look like noise that neighbours share, but for their size.
-  bool is_noise_as_known(const ScanResult& before) const {
-    return before.p_value > significance &&
-           (problem_.correction ||
-            chi2_reduced(problem_.samples, problem_.baseline_residual, problem_.noise) < largest_of_noise);
-  }
-
   /// The noise anew from what a fit leaves: where it is near what differences between neighbours show, and
   /// where it is more, but nothing else is left than noise that neighbours share.
   bool learns_noise_from(const ModelFit& fit) {
@@ -121,7 +114,7 @@ class Diagnoser {
     const auto& residual = problem_.baseline_residual;
     if (!prepared_.learn_noise(residual, most_off)) return false;
     const ScanResult anew = scan_of_baseline(*new_scanner());
-    if (is_noise_as_known(anew) &&
+    if (is_noise_as_known(problem_, anew, baseline_.count) &&
         neighbours_share_no_more(problem_.samples, residual, problem_.noise, baseline_.count)) {
       before = anew;
       baseline_held_out_ =
@@ -187,6 +180,7 @@ class Diagnoser {
     if (verdict != Verdict::no_mismatch) result_.mismatch = mismatch;
     result_.remaining = result_.mismatch;
     result_.improved = result_.baseline;
+    if (verdict == Verdict::unexplained) remark_all(remarks_on_wave(problem_));
     if (verdict == Verdict::unexplained && search_.explains())
       show_nearest();
     else
@@ -210,8 +204,8 @@ class Diagnoser {
         has_shared_error(problem_)
             ? chosen.candidate->chi2(problem_)
             : chosen.fit.cost / static_cast<double>(std::max<std::size_t>(1, chosen.fit.count));
-    const bool clean =
-        !problem_.noise.is_absolute || (left.p_value > significance && chi2 < largest_of_noise);
+    const bool clean = !problem_.noise.is_absolute ||
+                       (left.p_value > significance && chi2 < largest_of_noise(chosen.fit.count));
     const double gained = (baseline_held_out_.cost - chosen.held_out.cost) /
                           std::max(1e-12, baseline_held_out_.cost - std::min(1.0, chosen.held_out.cost));
     if (!clean && gained < part_that_counts[std::min<std::size_t>(3, search_.others_in(chosen.fit))]) {

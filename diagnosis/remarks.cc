@@ -6,6 +6,7 @@
 
 #include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/locate/waves.h"
 
 namespace asperity {
 
@@ -34,6 +35,12 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
         "other, but whether the "
         "best is good enough cannot be tested; give 'noise' or a column of standard deviations");
   return remarks;
+}
+
+std::vector<std::string> remarks_on_wave(const FitProblem& problem) {
+  const double period = wave_left(problem.samples, problem.baseline_residual, problem.noise);
+  if (period == 0) return {};
+  return {printed("a wave of some %.2g samples stands out of what is left: it is no noise", period)};
 }
 
 bool lies_on_the_rows(const FitProblem& problem, const ModelFit& fit) {

@@ -24,6 +24,8 @@ std::string remark_on_too_little_noise(const FitProblem& problem, const ModelFit
 /// Effects that were not tried because the recording holds too few values of what they depend on.
 std::vector<UntriedEffect> effects_without_data(const Experiment& experiment);
 
+/// Of a wave that the simulation alone leaves, see wave_left(); none: empty.
+std::vector<std::string> remarks_on_wave(const FitProblem& problem);
 /// That what is nearest is no answer, with how far it comes.
 std::vector<std::string> remarks_on_nearest(const Diagnosis& diagnosis);
 /// What was not tried, and why, where something was left out.

@@ -64,8 +64,10 @@ void score_all(SearchResult& result, const FitProblem& problem) {
   result.overdispersion =
       std::max(1.0, least / static_cast<double>(std::max<std::size_t>(1, result.alone.fit.count)));
   score(result.alone, experiment, result.admissible, result.overdispersion);
-  for (auto& candidate : result.candidates)
+  for (auto& candidate : result.candidates) {
     score(candidate, experiment, result.admissible, result.overdispersion);
+    candidate.where_mended = nullptr;
+  }
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [](const auto& a, const auto& b) { return a.score > b.score; });
 }

@@ -7,23 +7,14 @@
 #include <vector>
 
 #include "diagnosis/choose/held_out.h"
+#include "diagnosis/choose/leftover.h"
 #include "diagnosis/choose/search.h"
 #include "diagnosis/locate/scan.h"
 
 namespace asperity {
 
-/// Probability of calling noise a mismatch.
-constexpr double significance = 0.005;
 /// Log evidence within which two explanations are as good: odds of ten to one.
 constexpr double as_good = 2.3;
-/// Largest chi^2 per sample that may be called noise, whatever laws may be off by: a deviation is seldom
-/// known better than to a fifth.
-constexpr double largest_of_noise = 1.5;
-
-/// The residual of an explanation, beyond the model error of its laws.
-ScanResult remaining(const FitProblem& problem, const ModelFit& baseline, const Scanner& scanner,
-                     const ModelFit& fit);
-
 /// A set of effects whose members were judged.
 struct JudgedSet {
   const Candidate* candidate;
@@ -56,8 +47,9 @@ struct JudgedSets {
   std::vector<const JudgedSet*> rivals_of(const JudgedSet& chosen) const;
 };
 
-/// is_no_effect: whether what would be said of a fit holds "no effect"; null: its own interval decides.
-JudgedSets judged_sets(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
+/// Credits layers in `search` first, see credit_layers(). is_no_effect: whether what would be said of a fit
+/// holds "no effect"; null: its own interval decides.
+JudgedSets judged_sets(const FitProblem& problem, SearchResult& search, const Scanner& scanner,
                        const Blocks& blocks, const HeldOut& baseline_held_out,
                        const std::function<bool(const ModelFit&)>& is_no_effect = nullptr);
 

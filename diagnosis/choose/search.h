@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 
 #include "diagnosis/choose/law_error.h"
 #include "diagnosis/fit/model_fit.h"
@@ -20,6 +21,9 @@ struct Candidate {
   /// Log evidence (Schwarz 1978) with a prior of one in the number of effects for each effect; of laws that
   /// are off by what they state, or by any part of it [-].
   double score_as_stated = 0, score = 0;
+  /// Of a layer: a set in which another effect mends what its law is off by, if the scores are of that (see
+  /// credit_layers()); null: they are its own.
+  std::shared_ptr<const ModelFit> where_mended;
 
   /// The least of the costs over what the laws may be off by [-].
   double least_cost() const { return costs.empty() ? cost : *std::min_element(costs.begin(), costs.end()); }

@@ -72,6 +72,7 @@ struct FitQuality {
   double chi2_reduced = 0;            ///< of all samples [-]
   std::map<std::string, double> rms;  ///< of the residual, by channel, in its unit
   double held_out_chi2_reduced = 0;   ///< of data kept out of the fit [-]
+  std::size_t samples = 0;            ///< that count
 };
 
 /// Another set of effects that the data allow.

@@ -156,6 +156,7 @@ TEST(ActuatorHysteresis_analytic, shifts_the_way_back_alone_and_nothing_at_its_e
 TEST(InWords_regression, more_than_noise_is_not_called_noise) {
   Diagnosis d;
   d.verdict = Verdict::explained;
+  d.improved.samples = 1000;
   d.improved.chi2_reduced = 1.1;
   EXPECT_NE(in_words(d).find("which is noise"), std::string::npos) << in_words(d);
   d.improved.chi2_reduced = 2;

@@ -134,6 +134,13 @@ TEST(SearchEffects_analytic, an_effect_that_holds_another_counts_as_both) {
   EXPECT_EQ(seen, 2);
 }
 
+/// Quantiles of chi-square at 0.999 (Abramowitz & Stegun 1964, table 26.8): 51.179 of 24, 86.661 of 50.
+TEST(LargestOfNoise_analytic, is_what_few_samples_scatter_or_a_deviation_known_to_a_fifth) {
+  EXPECT_NEAR(largest_of_noise(24), 51.179 / 24, 1e-4);
+  EXPECT_NEAR(largest_of_noise(50), 86.661 / 50, 1e-4);
+  EXPECT_EQ(largest_of_noise(1000), 1.5);
+}
+
 /// What a second effect lets the first state less is no gain of it.
 TEST(JudgedSets_behaviour, a_member_earns_nothing_by_what_the_others_state_less) {
   const Hertz hertz = test::experiment(Motion::normal).hertz();
@@ -154,6 +161,13 @@ TEST(JudgedSets_behaviour, a_member_earns_nothing_by_what_the_others_state_less)
                        [&](const JudgedSet& set) { return set.candidate->fit.explanation->name() == both; });
   };
   EXPECT_TRUE(is_named());
+  // Each of its two members must be clearly better than none: eight each in log evidence.
+  const double of_alone = found.alone.score;
+  found.alone.score = candidate(both).score - 15.9;
+  EXPECT_FALSE(is_named());
+  found.alone.score = candidate(both).score - 16.1;
+  EXPECT_TRUE(is_named());
+  found.alone.score = of_alone;
   Candidate &radius = candidate("effective_radius"), &pair = candidate(both);
   const Candidate& offset = candidate("contact_point_offset");
   pair.score_as_stated = std::max(radius.score_as_stated, offset.score_as_stated) + 10;

@@ -14,6 +14,7 @@ std::string sentence(double chi2, double held_out, int effects) {
   d.verdict = Verdict::explained;
   d.baseline.chi2_reduced = d.baseline.held_out_chi2_reduced = 790;
   d.improved.chi2_reduced = chi2;
+  d.improved.samples = 1000;
   d.improved.held_out_chi2_reduced = held_out;
   for (int i = 0; i < effects; ++i) {
     d.left_out.emplace_back();

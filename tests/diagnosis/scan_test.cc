@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "diagnosis/locate/waves.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -200,6 +201,40 @@ TEST(Views_behaviour, go_along_what_drives_and_in_a_hold_along_time) {
   const auto sliding = views_of(samples, test::experiment(Motion::sliding));
   EXPECT_TRUE(view_of(sliding, "load", "lateral_displacement"));
   EXPECT_TRUE(view_of(sliding, "load", "normal_force"));
+}
+
+/// Noise of which neighbours share all (memory 0.7), and a wave in time that looks like it in differences.
+struct TraceWithWave : ScannedTrace {
+  TraceWithWave(unsigned seed, double memory, double amplitude, double period) {
+    noise.shared = {{memory > 0 ? 1.0 : 0.0, memory}};
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    double slow = normal(random);
+    for (std::size_t i = 0; i < count; ++i) {
+      residual[i] = 4 * (slow + amplitude * std::sin(2 * M_PI * static_cast<double>(i) / period));
+      slow = memory * slow + std::sqrt(1 - memory * memory) * normal(random);
+    }
+  }
+  double wave() const { return wave_left(samples, residual, noise); }
+};
+
+TEST(Waves_analytic, a_line_stands_out_of_a_smooth_spectrum_and_noise_has_none) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    EXPECT_EQ(TraceWithWave(seed, 0, 0, 16).wave(), 0) << seed;
+    EXPECT_EQ(TraceWithWave(seed, 0.7, 0, 16).wave(), 0) << seed;
+  }
+  EXPECT_NEAR(TraceWithWave(1, 0, 1, 16).wave(), 16, 0.1);
+  EXPECT_NEAR(TraceWithWave(1, 0.7, 1, 10.6).wave(), 10.67, 0.1);  // 12 of 128
+  // Noise that is taken for shared (memory 0.7) because a wave of three deviations makes it look so.
+  TraceWithWave taken_for_shared(1, 0, 3, 16);
+  taken_for_shared.noise.sd.assign(ScannedTrace::count, 9.0);
+  taken_for_shared.noise.shared = {{1, 0.7}};
+  EXPECT_NEAR(taken_for_shared.wave(), 16, 0.1);
+  // Neither slow structure nor rows without order.
+  EXPECT_EQ(TraceWithWave(1, 0, 3, 400).wave(), 0);
+  TraceWithWave rows(1, 0, 3, 16);
+  rows.samples.runs[0].independent_rows = true;
+  EXPECT_EQ(rows.wave(), 0);
 }
 
 }  // namespace

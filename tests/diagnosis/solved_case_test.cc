@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/topography_spec.h"
+#include "diagnosis/catalogue/effect.h"
 #include "diagnosis/conceal/normal_truth.h"
 #include "diagnosis/conceal/other_code_truth.h"
 #include "diagnosis/conceal/rough_layer.h"

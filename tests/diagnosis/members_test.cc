@@ -1,0 +1,87 @@
+// What a second effect is worth beside a layer, and how far behind a set is no rival.
+#include "diagnosis/choose/members.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "diagnosis/catalogue/effect.h"
+#include "tests/diagnosis/support/made_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::nm;
+using test::uN;
+
+/// A layer of asperities on a sphere whose radius is another, pressed 60 nm deep and let go.
+FitProblem layer_on_a_larger_sphere(double noise, double radius_ratio) {
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  problem.choice = completed({}, problem.experiment);
+  problem.samples = test::approach_and_back(1 * nm, 60 * nm, 60);
+  const std::vector<double> force =
+      simulate(test::with(problem.experiment,
+                          {{"roughness_compliance", {1 * nm, 0.5}}, {"effective_radius", {radius_ratio}}}),
+               problem.samples);
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < force.size(); ++i)
+    problem.samples.list[i].response = force[i] + noise * normal(random);
+  problem.noise.sd.assign(force.size(), noise);
+  problem.noise.shared.assign(1, {});
+  problem.thin = problem.samples;
+  problem.baseline_residual =
+      FitProblem::residual(problem.samples, fit_explanation(problem, {}).simulate(problem.samples));
+  return problem;
+}
+
+/// Found in blind recordings of rough spheres: with its law mended by a second effect the layer fits, and
+/// alone it fell behind two effects of the instrument.
+TEST(Members_behaviour, a_layer_has_the_score_of_a_set_that_mends_its_law) {
+  const FitProblem problem = layer_on_a_larger_sphere(5 * uN, 1.1);
+  SearchResult found =
+      search_effects(problem, fit_explanation(problem, {}), [](const ModelFit&) { return false; }, {});
+  const Scanner scanner(problem.samples, problem.experiment, problem.noise, 1);
+  const std::string both = found.candidates.front().fit.explanation->name();
+  const double score = found.candidates.front().score;
+  EXPECT_EQ(both, "effective_radius + roughness_compliance");
+  const Members members = members_of(problem, found, scanner, found.candidates.front());
+  EXPECT_FALSE(members.count) << "real layers follow their law to some per cent";
+  ASSERT_NE(members.mended, nullptr);
+  EXPECT_EQ(members.mended->fit.explanation->name(), "roughness_compliance");
+  credit_layers(problem, scanner, found);
+  const auto layer = std::find_if(found.candidates.begin(), found.candidates.end(), [](const Candidate& c) {
+    return c.fit.explanation->name() == "roughness_compliance";
+  });
+  EXPECT_EQ(layer->score, score);
+  ASSERT_NE(layer->where_mended, nullptr);
+  EXPECT_EQ(layer->where_mended->explanation->name(), both);
+  // Of a layer that fits by its own law no other has such a score.
+  const FitProblem by_its_law = layer_on_a_larger_sphere(5 * uN, 1);
+  SearchResult alone =
+      search_effects(by_its_law, fit_explanation(by_its_law, {}), [](const ModelFit&) { return false; }, {});
+  credit_layers(by_its_law, Scanner(by_its_law.samples, by_its_law.experiment, by_its_law.noise, 1), alone);
+  for (const Candidate& candidate : alone.candidates) EXPECT_EQ(candidate.where_mended, nullptr);
+}
+
+TEST(Members_analytic, odds_of_ten_thousand_or_of_a_million_are_too_far_behind) {
+  Candidate best, other;
+  best.score = best.score_as_stated = 0;
+  other.score_as_stated = -1;
+  const auto is_behind_at = [&](double score) {
+    other.score = score;
+    return is_far_behind(other, best);
+  };
+  EXPECT_FALSE(is_behind_at(-9.1));
+  EXPECT_TRUE(is_behind_at(-9.3));
+  other.score_as_stated = 1;  // ahead if all laws were off by what they state
+  EXPECT_FALSE(is_behind_at(-13.7));
+  EXPECT_TRUE(is_behind_at(-13.9));
+  other.where_mended = std::make_shared<const ModelFit>();
+  EXPECT_TRUE(is_behind_at(-9.3)) << "its score is of a set that mends its law";
+}
+
+}  // namespace
+}  // namespace asperity
