@@ -40,19 +40,30 @@ std::size_t past_first_rise(const Values& resistance, const MotionLeg& leg, std:
   return row;
 }
 
+/// From where at most a share of the active contact nodes sticks; one past the leg's last: nowhere.
+std::size_t first_row_sticking(const Values& sticking, const MotionLeg& leg, double at_most) {
+  std::size_t row = leg.first + 1;
+  while (row <= leg.last && sticking[row] > at_most) ++row;
+  return row;
+}
+
+std::size_t first_rolling_row(const MotionRows& rows, const MotionLeg& leg) {
+  std::size_t row = leg.first + 1;
+  while (row <= leg.last && std::abs(rows.position[row] - rows.position[leg.first]) * rows.rolling_radius <
+                                rows.contact_radius[row])
+    ++row;
+  return row;
+}
+
 std::size_t first_steady_row(const MotionRows& rows, const MotionLeg& leg) {
-  if (rows.rolling_radius == 0 && rows.sticking.empty())
-    return first_flat_row(rows.position, rows.resistance, leg);
-  for (std::size_t i = leg.first + 1; i <= leg.last; ++i) {
-    const double path_length = std::abs(rows.position[i] - rows.position[leg.first]);
-    if (rows.rolling_radius > 0) {
-      if (path_length * rows.rolling_radius >= rows.contact_radius[i]) return i;
-    } else if (rows.sticking[i] <= (rows.spins ? few_sticking_in_spin : few_sticking)) {
-      // Under little friction a contact slips as it is pressed: what sticks then tells nothing.
-      return rows.spins || i == leg.first + 1 ? past_first_rise(rows.resistance, leg, i) : i;
-    }
-  }
-  return leg.last + 1;
+  if (rows.rolling_radius > 0) return first_rolling_row(rows, leg);
+  if (rows.sticking.empty()) return first_flat_row(rows.position, rows.resistance, leg);
+  const std::size_t slips = first_row_sticking(rows.sticking, leg, few_sticking);
+  // Under little friction a contact slips as it is pressed: what sticks then tells nothing.
+  if (slips == leg.first + 1) return past_first_rise(rows.resistance, leg, slips);
+  if (!rows.spins) return slips;
+  const std::size_t nearly = first_row_sticking(rows.sticking, leg, few_sticking_in_spin);
+  return nearly > leg.last ? slips : std::min(slips, past_first_rise(rows.resistance, leg, nearly));
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 //   as under little friction, from where the resistance has risen to 99 % of its mean behind, or falls. Where
 //   a history does not say, from where the resistance has stopped to grow: two slopes in a row below a
 //   fiftieth of the steepest of the first three steps.
-// - spinning: from 5 % on, and in any case from where the resistance has risen so: what lies at the axis
-//   sticks last, and of a coarse mesh, or a contact of few spots, one node is more than 2 %. A twentieth
-//   of the area about the axis has a hundredth of the moment (0.05^(3/2)).
+// - spinning: likewise, or from 5 % on where the resistance has risen so: what lies at the axis sticks last,
+//   and of a coarse mesh, or a contact of few spots, one node is more than 2 %. A twentieth of the area about
+//   the axis has a hundredth of the moment (0.05^(3/2)).
 // - rolling: after a path length of one contact radius, so that the contact that was pressed has been left.
 // The resistance is the energy dissipated per path length or angle on the first pass, over surfaces not yet
 // passed. The force has a conservative topographic part as well, which averages out over a long path only and

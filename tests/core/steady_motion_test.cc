@@ -49,6 +49,9 @@ TEST(SteadyMotion_analytic, spinning_is_steady_from_five_per_cent_of_sticking_on
   EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 7u);
   rows.spins = true;
   EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 4u);
+  rows.sticking[3] = 0.02;
+  EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 3u) << "slips as a whole, though the moment still rises";
+  rows.sticking[3] = 0.05;
   rows.resistance[3] = -99.5;
   EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 3u);
 }
