@@ -138,9 +138,19 @@ class MotionTables(unittest.TestCase):
         self.assertIn("| 0.3 nm, 100 uN | 0.300 ± 0.015 |", text)
         self.assertNotIn("0.3 nm", self.tables.contacts_table({"contacts": [contact]}, True))
 
+    def test_rolling_loads_stand_in_a_row_of_each_contact_and_beside_the_measurement(self):
+        contact = {"label": "diamond", "states": [{**motion_state("rolling", 2e-13), "load": load} for load in self.tables.LOADS]}
+        row = "| diamond, 4 nm | 0.200 ± 0.010 | 0.200 ± 0.010 | 0.200 ± 0.010 | 10, 20, 70 | 10, 20, 70 | 10, 20, 70 | 0.50, 0.50, 0.50 |"
+        self.assertIn(row, self.tables.loads_table({"contacts": [contact]}))
+        pair = {"simulated": {"value": 4.9e-4, "sd": 2e-5}, "measured": {"value": 7.9e-4, "sd": 3e-5}}
+        ratios = [{"contact": "0.3 nm", "ratio": {"value": 0.1 * k, "sd": 0.01}} for k in (1, 4, 5)]
+        published = {"laws": [{"contact": "0.3 nm", "coefficient": pair, "offset": pair}], "magnitudes": ratios}
+        text = self.tables.mean_with_diamond_table({"published": published})
+        self.assertIn("| 0.3 nm | 4.90 ± 0.20 | 7.90 ± 0.30 | 490 ± 20 | 790 ± 30 | 0.100 ± 0.010 | 0.400 ± 0.010 | 0.500 ± 0.010 |", text)
+
     def test_the_page_has_a_place_for_each_table(self):
         page = (ROOT / "docs/results_of_the_paper.md").read_text()
-        for name in ("contacts", "long waves", "meshes", "laws", "rails"):
+        for name in ("contacts", "long waves", "meshes", "laws", "rails", "rolling loads", "mean with the diamond"):
             self.assertEqual(page.count(f"<!-- motion_tables: {name} -->"), 1)
             self.assertEqual(page.count(f"<!-- end of {name} -->"), 1)
 
