@@ -111,7 +111,9 @@ bool would_be_ahead(const Candidate& candidate, const Candidate& best) {
 }
 
 bool is_far_behind(const Candidate& candidate, const Candidate& best) {
-  return candidate.score < best.score - (would_be_ahead(candidate, best) ? 6 : 4) * as_good;
+  const auto is_layer = [](const Candidate& of) { return has_layer(of.fit.explanation->effects()); };
+  const bool looks_alike = would_be_ahead(candidate, best) && is_layer(candidate) && is_layer(best);
+  return candidate.score < best.score - (looks_alike ? 6 : 4) * as_good;
 }
 
 void credit_layers(const FitProblem& problem, const Scanner& scanner, SearchResult& search) {

@@ -29,8 +29,8 @@ void credit_layers(const FitProblem& problem, const Scanner& scanner, SearchResu
 
 /// Ahead if all laws were off by what they state; not said of a layer whose score is of a set that mends it.
 bool would_be_ahead(const Candidate& candidate, const Candidate& best);
-/// Too far behind the best for a rival: odds of 10^4, or of 10^6 where it would be ahead if all laws were off
-/// by what they state.
+/// Too far behind the best for a rival: odds of 10^4, or of 10^6 of one layer to another that would be ahead
+/// if all laws were off by what they state.
 bool is_far_behind(const Candidate& candidate, const Candidate& best);
 
 }  // namespace asperity

@@ -66,21 +66,30 @@ TEST(Members_behaviour, a_layer_has_the_score_of_a_set_that_mends_its_law) {
   for (const Candidate& candidate : alone.candidates) EXPECT_EQ(candidate.where_mended, nullptr);
 }
 
-TEST(Members_analytic, odds_of_ten_thousand_or_of_a_million_are_too_far_behind) {
-  Candidate best, other;
-  best.score = best.score_as_stated = 0;
-  other.score_as_stated = -1;
-  const auto is_behind_at = [&](double score) {
-    other.score = score;
-    return is_far_behind(other, best);
+Candidate candidate_of(const char* effect) {
+  Candidate candidate;
+  const Experiment e = test::experiment(Motion::normal);
+  candidate.fit.explanation =
+      std::make_shared<Explanation>(e, completed({}, e), std::vector<const Effect*>{&effect_of(effect)});
+  candidate.score = candidate.score_as_stated = 0;
+  return candidate;
+}
+
+TEST(Members_analytic, odds_of_ten_thousand_are_too_far_behind_of_layers_a_million) {
+  const Candidate film = candidate_of("film");
+  const auto is_behind = [&](Candidate other, double score, double as_stated) {
+    other.score = score, other.score_as_stated = as_stated;
+    return is_far_behind(other, film);
   };
-  EXPECT_FALSE(is_behind_at(-9.1));
-  EXPECT_TRUE(is_behind_at(-9.3));
-  other.score_as_stated = 1;  // ahead if all laws were off by what they state
-  EXPECT_FALSE(is_behind_at(-13.7));
-  EXPECT_TRUE(is_behind_at(-13.9));
-  other.where_mended = std::make_shared<const ModelFit>();
-  EXPECT_TRUE(is_behind_at(-9.3)) << "its score is of a set that mends its law";
+  const Candidate tilt = candidate_of("baseline_tilt");
+  EXPECT_FALSE(is_behind(tilt, -9.1, 1));
+  EXPECT_TRUE(is_behind(tilt, -9.3, 1));
+  Candidate asperities = candidate_of("roughness_compliance");
+  EXPECT_TRUE(is_behind(asperities, -9.3, -1));
+  EXPECT_FALSE(is_behind(asperities, -13.7, 1)) << "ahead if all laws were off by what they state";
+  EXPECT_TRUE(is_behind(asperities, -13.9, 1));
+  asperities.where_mended = std::make_shared<const ModelFit>();
+  EXPECT_TRUE(is_behind(asperities, -9.3, 1)) << "its score is of a set that mends its law";
 }
 
 }  // namespace
