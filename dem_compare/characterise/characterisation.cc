@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dem_compare/cases/case_numbers.h"
+#include "dem_compare/characterise/mesh_error.h"
 #include "results/contact_key.h"
 
 namespace asperity {
@@ -17,37 +18,6 @@ namespace {
 constexpr double sds_of_95_percent = 1.96;
 constexpr const char* friction_entry = "Interface/Friction coefficient";
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-/// The number of result.json whose relative discretisation error is that of a quantity of parameters.json.
-struct MeshErrorOf {
-  const char* quantity;
-  const char* effective;
-};
-constexpr MeshErrorOf mesh_errors[] = {{"reduced_modulus", "approach"},
-                                       {"reduced_shear_modulus", "lateral_stiffness"},
-                                       {"normal_stiffness", "normal_stiffness"},
-                                       {"lateral_stiffness", "lateral_stiffness"},
-                                       {"torsion_stiffness", "torsion_stiffness"},
-                                       {"sliding_friction", "sliding_friction"},
-                                       {"torsion_friction", "torsion_moment"},
-                                       {"rolling_friction", "rolling_dissipation"},
-                                       {"pull_off_force", "pull_off_force"}};
-
-/// Mean over the cases that state it; NaN where none does.
-double relative_mesh_error(const ParameterSet& set, const std::string& quantity, Motion told_by) {
-  for (const auto& [name, effective] : mesh_errors) {
-    if (quantity != name) continue;
-    double sum = 0;
-    int count = 0;
-    for (const auto& solved : set.cases) {
-      const EffectiveNumber number = solved.effective(effective);
-      if (solved.motion() != told_by || !std::isfinite(number.sd) || number.value == 0) continue;
-      sum += number.sd / std::abs(number.value), ++count;
-    }
-    if (count > 0) return sum / count;
-  }
-  return not_a_number;
-}
 
 bool is_stiffness(const std::string& key) {
   return key.find("stiffness") != std::string::npos || key.find("modulus") != std::string::npos;
@@ -168,16 +138,15 @@ Characterisation characterised(const ParameterSet& set, const Derivation& deriva
       if (!entry.needs_yield) table.not_known.emplace_back(entry.key);
       continue;
     }
-    const Motion told_by = motion_named(entry.told_by).value();
     CharacterisedNumber number{entry.key,       entry.meaning,     entry.unit,
                                quantity->value, quantity->at_load, quantity->sd};
-    number.mesh_sd = relative_mesh_error(set, entry.key, told_by) * std::abs(quantity->value);
     if (is_stiffness(entry.key)) number.material_sd = modulus_spread * std::abs(quantity->value);
     const std::vector<CaseNumber> cases = cases_behind(set, derivation, entry);
+    number.is_assumed = quantity->value == 0 && !std::isfinite(quantity->sd);
+    if (!number.is_assumed) number.mesh_sd = sd_by_mesh(set, derivation, entry, cases);
     number.holds_scatter = !is_rough(set) || realisations_of(cases) > 1;
     if (is_rough(set) && number.holds_scatter) number.degrees_of_freedom = repeated(cases);
     number.from = quantity->provenance;
-    number.is_assumed = quantity->value == 0 && !std::isfinite(quantity->sd);
     if (is_friction(entry.key)) {
       number.local_friction = CaseEntries(set.inputs).quantity(friction_entry, Dimension::none, 0);
       number.input_is_known = friction_is_known;

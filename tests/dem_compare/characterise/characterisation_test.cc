@@ -57,5 +57,24 @@ TEST(Characterisation_analytic, holds_the_contacts_numbers_with_the_spread_of_ma
     EXPECT_EQ(std::count(sure.not_known.begin(), sure.not_known.end(), key), 1) << key;
 }
 
+/// A friction of 0.23 over 0.1 and 0.4 mN that is off by 10 % at the first load and by 2 % at the second.
+/// Alone they move mu by -10/3 and 8/3 % and h by 13.79 and -2.60 uN, together by -0.67 % and 10.74 uN: of mu
+/// = (F2 - F1)/(P2 - P1), h = F1/mu - P1.
+TEST(Characterisation_analytic, mesh_errors_of_each_load_go_through_the_law) {
+  const TemporaryFolder folder;
+  SolvedFolder low, high;
+  low.mesh_error_of_friction = 0.1;
+  high.load = 4e-4, high.mesh_error_of_friction = 0.02;
+  const Characterisation table = table_of(
+      {test::write_solved(folder.path / "low", low), test::write_solved(folder.path / "high", high)}, 0);
+  const CharacterisedNumber &friction = number_of_key(table, "sliding_friction"),
+                            &offset = number_of_key(table, "sliding_offset");
+  EXPECT_NEAR(friction.mesh_sd / friction.value, std::hypot(0.1, 0.08) / 3, 1e-4);
+  EXPECT_NEAR(offset.mesh_sd, std::hypot(13.793e-6, 2.597e-6), 2e-8);
+  // A stiffness is off by what its loads are off by.
+  EXPECT_NEAR(number_of_key(table, "lateral_stiffness").mesh_sd,
+              0.03 * number_of_key(table, "lateral_stiffness").value, 1e-6);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -19,6 +19,7 @@ struct SolvedFolder {
   double load = 1e-4;                  ///< [N]
   double stiffness = 1;                ///< lateral or torsion stiffness over that of the smooth contact
   double friction = 0.23;
+  double mesh_error_of_friction = 0;  ///< stated, relative
   std::string roughness = "generated(rms=0.3 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=1)";
   std::string title{};
   ElasticBody particle{71e9, 0.17}, plane{179e9, 0.25};
@@ -80,7 +81,7 @@ inline std::filesystem::path write_solved(const std::filesystem::path& folder, c
   effective["normal_stiffness"] = number(solved.hertz().normal_stiffness(solved.load), 0.01);
   if (solved.experiment == "sliding") {
     effective["lateral_stiffness"] = number(solved.lateral_stiffness(), 0.03);
-    effective["sliding_friction"] = number(solved.friction, 0);
+    effective["sliding_friction"] = number(solved.friction, solved.mesh_error_of_friction);
   }
   if (solved.experiment == "torsion") {
     effective["torsion_stiffness"] = number(solved.torsion_stiffness(), 0.03);
