@@ -215,8 +215,9 @@ std::string in_words(const Diagnosis& d) {
              " explanations it is. With the likeliest, " + titles(d.left_out) + ", " + numbers + ".";
     }
     case Verdict::unexplained:
-      return "Recording and simulation part, and no effect of the catalogue explains it. The mismatch is "
-             "located; what it is remains open.";
+      return std::string("Recording and simulation part, and no effect of the catalogue explains it. ") +
+             (d.mismatch.empty() ? "No part of the data stands out" : "The mismatch is located") +
+             "; what it is remains open.";
   }
   return "";
 }

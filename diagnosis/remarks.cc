@@ -101,11 +101,13 @@ std::vector<std::string> remarks_on_sets(const JudgedSets& judged) {
 std::vector<std::string> remarks_on_nearest(const Diagnosis& d) {
   std::string names;
   for (const auto& effect : d.nearest) names += (names.empty() ? "" : " + ") + effect.id;
-  return {
-      "the nearest of the catalogue, " + names +
-      printed(", takes away only part of the mismatch (chi-square per sample falls from %.3g to %.3g) and is "
-              "not named",
-              d.baseline.chi2_reduced, d.with_nearest.chi2_reduced)};
+  const bool fits = d.with_nearest.chi2_reduced < largest_of_noise(d.with_nearest.samples);
+  return {"the nearest of the catalogue, " + names +
+          printed(fits ? ", leaves no more than noise (chi-square per sample falls from %.3g to %.3g), but a "
+                         "member of it does not earn its place or has another form, and it is not named"
+                       : ", takes away only part of the mismatch (chi-square per sample falls from %.3g to "
+                         "%.3g) and is not named",
+                  d.baseline.chi2_reduced, d.with_nearest.chi2_reduced)};
 }
 
 std::vector<std::string> remarks_on_untried(const Diagnosis& d) {

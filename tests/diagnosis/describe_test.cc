@@ -34,6 +34,21 @@ TEST(InWords_behaviour, says_where_data_kept_out_are_predicted_worse_than_noise)
   EXPECT_FALSE(says(sentence(2, 3912, 1), "which is noise"));
 }
 
+TEST(InWords_behaviour, says_what_an_unexplained_mismatch_lacks) {
+  Diagnosis d;
+  d.verdict = Verdict::unexplained;
+  EXPECT_TRUE(says(in_words(d), "No part of the data stands out; what it is remains open.")) << in_words(d);
+  d.mismatch.emplace_back();
+  EXPECT_TRUE(says(in_words(d), "The mismatch is located; what it is remains open.")) << in_words(d);
+  d.baseline.chi2_reduced = 790;
+  d.with_nearest.samples = 1000;
+  d.with_nearest.chi2_reduced = 189;
+  EXPECT_TRUE(says(remarks_on_nearest(d)[0], "takes away only part of the mismatch"));
+  d.with_nearest.chi2_reduced = 1.04;
+  EXPECT_TRUE(says(remarks_on_nearest(d)[0],
+                   "leaves no more than noise (chi-square per sample falls from 790 to 1.04)"));
+}
+
 TEST(InWords_behaviour, counts_its_effects) {
   EXPECT_TRUE(says(sentence(1, 1, 1), "left out effect_0. With it chi-square"));
   EXPECT_TRUE(says(sentence(1, 1, 2), "left out effect_0 and effect_1. With them chi-square"));
