@@ -70,16 +70,23 @@ const LawFindings* findings_of(const Derivation& derivation, Motion motion) {
   return nullptr;
 }
 
-/// Coefficient and offset where the resistances are off by their errors at some load, or at all (0) [N].
+/// Of the load that is nearest: a mean along a path is not exactly the load that was asked for.
+const ErrorAtLoad& nearest(const std::vector<ErrorAtLoad>& errors, double load) {
+  return *std::min_element(errors.begin(), errors.end(), [&](const ErrorAtLoad& a, const ErrorAtLoad& b) {
+    return std::abs(std::log(a.load / load)) < std::abs(std::log(b.load / load));
+  });
+}
+
+/// Coefficient and offset where the resistances are off by their errors, at one load or at all (null).
 struct Coefficients {
   double friction, offset;
 };
 Coefficients refitted(std::vector<ResistancePoint> points, LengthScale scale,
-                      const std::vector<ErrorAtLoad>& errors, double only_at) {
-  for (ResistancePoint& point : points)
-    for (const ErrorAtLoad& error : errors)
-      if (same_load(point.load, error.load) && (only_at == 0 || same_load(only_at, error.load)))
-        point.value *= 1 + error.relative, point.sd *= 1 + error.relative;
+                      const std::vector<ErrorAtLoad>& errors, const ErrorAtLoad* only_at) {
+  for (ResistancePoint& point : points) {
+    const ErrorAtLoad& error = nearest(errors, point.load);
+    if (!only_at || only_at == &error) point.value *= 1 + error.relative, point.sd *= 1 + error.relative;
+  }
   const ResistanceLaw law = fit_resistance(points, scale);
   return {law.coefficient, law.offset};
 }
@@ -89,11 +96,12 @@ double sd_of_law(const LawFindings& findings, const ContactParameters& parameter
   if (errors.empty()) return not_known;
   const LengthScale scale = (parameters.*findings.mode->friction)->length_scale;
   const auto of = [&](const Coefficients& law) { return is_offset ? law.offset : law.friction; };
-  const double fitted = of(refitted(findings.points, scale, {}, 0)),
-               together = of(refitted(findings.points, scale, errors, 0)) - fitted;
+  const ResistanceLaw law = fit_resistance(findings.points, scale);
+  const double fitted = of({law.coefficient, law.offset}),
+               together = of(refitted(findings.points, scale, errors, nullptr)) - fitted;
   double squares = 0;
   for (const ErrorAtLoad& error : errors)
-    squares += std::pow(of(refitted(findings.points, scale, errors, error.load)) - fitted, 2);
+    squares += std::pow(of(refitted(findings.points, scale, errors, &error)) - fitted, 2);
   return std::max(std::abs(together), std::sqrt(squares));
 }
 
