@@ -62,9 +62,10 @@ double wave_left(const Samples& samples, const std::vector<double>& residual, co
              highest = static_cast<std::size_t>(block / shortest);
   double stands_out = 0;
   std::size_t line = 0;
-  for (std::size_t k = lowest; k <= highest; ++k)
-    if (const double ratio = power[k] / power_about(power, k); ratio > stands_out)
-      stands_out = ratio, line = k;
+  for (std::size_t k = lowest; k <= highest; ++k) {
+    const double about = power_about(power, k);
+    if (about > 0 && power[k] / about > stands_out) stands_out = power[k] / about, line = k;
+  }
   // Means of `blocks` exponential variables over their median, which is (Wilson & Hilferty) less than their
   // mean.
   const double of_mean = stands_out * std::pow(1 - 1.0 / (9 * blocks), 3);

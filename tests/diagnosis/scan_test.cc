@@ -230,6 +230,9 @@ TEST(Waves_analytic, a_line_stands_out_of_a_smooth_spectrum_and_noise_has_none) 
   taken_for_shared.noise.sd.assign(ScannedTrace::count, 9.0);
   taken_for_shared.noise.shared = {{1, 0.7}};
   EXPECT_NEAR(taken_for_shared.wave(), 16, 0.1);
+  TraceWithWave without_any(1, 0, 0, 16);
+  without_any.residual.assign(ScannedTrace::count, 0.0);
+  EXPECT_EQ(without_any.wave(), 0) << "a simulation that is the recording";
   // Neither slow structure nor rows without order.
   EXPECT_EQ(TraceWithWave(1, 0, 3, 400).wave(), 0);
   TraceWithWave rows(1, 0, 3, 16);
