@@ -2,9 +2,12 @@
 // exponent of its own solution; from tests/data/references/02_elastoplastic_table_ownFE.csv and
 // 02_elastoplastic_table_unloading.csv (nu 0.17), mesh and code of neither solver of this program.
 #include <array>
-#include <boost/math/interpolators/pchip.hpp>
+#include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
 #include <vector>
+
+// Of Boost 1.74 it calls isnan without declaring it.
+#include <boost/math/interpolators/pchip.hpp>
 
 #include "diagnosis/conceal/other_code_truth.h"
 

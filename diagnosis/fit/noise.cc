@@ -135,12 +135,11 @@ Noise estimate_noise(const Recording& recording, const Samples& samples,
       from = "given by row";
     else if (given != recording.noise.end())
       sd = given->second, from = "given";
-    else if ((sd = scatter_of_repeats(recording, samples, t)) > 0)
+    else if ((sd = scatter_of_repeats(recording, samples, t)) > 0 ||
+             (sd = scatter_of_repeated_rows(samples, residual, t)) > 0)
       from = "repeats";
     else if (table.kind == TableKind::trace && fast.count >= enough)
       sd = fast.sd, from = "high frequencies";
-    else if ((sd = scatter_of_repeated_rows(samples, residual, t)) > 0)
-      from = "repeats";
     else if ((sd = scatter_of_series(samples, residual, t)) > 0)
       from = "neighbouring rows";
     if (from.empty() || (!by_row && !(sd > 0))) {
