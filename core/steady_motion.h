@@ -9,7 +9,7 @@
 //   fiftieth of the steepest of the first three steps.
 // - spinning: likewise, or from 5 % on where the resistance has risen so: what lies at the axis sticks last,
 //   and of a coarse mesh, or a contact of few spots, one node is more than 2 %. A twentieth of the area about
-//   the axis has a hundredth of the moment (0.05^(3/2)).
+//   the axis has a hundredth of the moment under an even pressure (0.05^(3/2)), a fiftieth under Hertz'.
 // - rolling: after a path length of one contact radius, so that the contact that was pressed has been left.
 // The resistance is the energy dissipated per path length or angle on the first pass, over surfaces not yet
 // passed. The force has a conservative topographic part as well, which averages out over a long path only and

@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// Probability of calling noise a mismatch.
+/// Probability by which each test calls noise a mismatch [-].
 constexpr double significance = 0.001;
 /// Largest chi^2 per sample that may be called noise, whatever laws may be off by [-]: a deviation is seldom
 /// known better than to a fifth (1.5), and that of noise of `count` samples is exceeded by chance, with the

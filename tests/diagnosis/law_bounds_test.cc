@@ -132,6 +132,20 @@ TEST(LawBounds_analytic, a_force_that_oscillates_in_time_is_no_stick_slip) {
   EXPECT_TRUE(d.left_out.empty());
 }
 
+/// Strokes of 30 samples, two periods of the wave each, whose differences look as noise that neighbours share
+/// does (found on a challenge recording, where the wave passed for noise).
+TEST(LawBounds_analytic, a_force_that_oscillates_in_short_strokes_is_no_noise) {
+  Recording recording =
+      test::LoopsOfEvents{{25 * uN, 80 * uN, 170 * uN}, 0.4, 0, 85 * nm, 8 * nm, 0.8 * uN, 12, 30, 21}
+          .recording();
+  auto& table = recording.tables[0];
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    table.columns["lateral_force"][i] += 3.2 * uN * std::sin(2 * M_PI * table.columns["time"][i] / 0.158);
+  const Diagnosis d = diagnose(recording);
+  EXPECT_EQ(d.verdict, Verdict::unexplained) << diagnosis_json(d);
+  EXPECT_TRUE(d.left_out.empty());
+}
+
 TEST(LawBounds_analytic, drops_that_an_amplifier_smears_over_four_samples_are_stick_slip) {
   Recording recording = loops_of_small_events(4 * uN, 85 * nm, 0.5 * uN);
   auto& force = recording.tables[0].columns["lateral_force"];

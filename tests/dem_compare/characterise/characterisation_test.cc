@@ -76,5 +76,18 @@ TEST(Characterisation_analytic, mesh_errors_of_each_load_go_through_the_law) {
               0.03 * number_of_key(table, "lateral_stiffness").value, 1e-6);
 }
 
+/// E* goes with the approach to the power -3/2.
+TEST(Characterisation_analytic, the_modulus_is_off_by_three_halves_of_the_approach_it_is_found_from) {
+  const TemporaryFolder folder;
+  SolvedFolder low, high;
+  low.experiment = high.experiment = "normal";
+  low.mesh_error_of_approach = 0.1;
+  high.load = 4e-4, high.mesh_error_of_approach = 0.02;
+  const Characterisation table = table_of(
+      {test::write_solved(folder.path / "low", low), test::write_solved(folder.path / "high", high)}, 0);
+  const CharacterisedNumber& modulus = number_of_key(table, "reduced_modulus");
+  EXPECT_NEAR(modulus.mesh_sd / modulus.value, 1.5 * 0.02, 1e-12);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -20,6 +20,7 @@ struct SolvedFolder {
   double stiffness = 1;                ///< lateral or torsion stiffness over that of the smooth contact
   double friction = 0.23;
   double mesh_error_of_friction = 0;  ///< stated, relative
+  double mesh_error_of_approach = 0;  ///< the same; 0: not stated
   std::string roughness = "generated(rms=0.3 nm, hurst=0.8, rolloff=500 nm, cutoff=72 nm, seed=1)";
   std::string title{};
   ElasticBody particle{71e9, 0.17}, plane{179e9, 0.25};
@@ -79,6 +80,8 @@ inline std::filesystem::path write_solved(const std::filesystem::path& folder, c
   };
   auto& effective = result["effective"];
   effective["normal_stiffness"] = number(solved.hertz().normal_stiffness(solved.load), 0.01);
+  if (solved.mesh_error_of_approach > 0)
+    effective["approach"] = number(solved.hertz().approach(solved.load), solved.mesh_error_of_approach);
   if (solved.experiment == "sliding") {
     effective["lateral_stiffness"] = number(solved.lateral_stiffness(), 0.03);
     effective["sliding_friction"] = number(solved.friction, solved.mesh_error_of_friction);
