@@ -48,7 +48,7 @@ void press(benchmark::State& state, const std::string& effect, const std::vector
 
 BENCHMARK_CAPTURE(press, hertz, "", std::vector<double>{});
 BENCHMARK_CAPTURE(press, adhesion, "adhesion", std::vector<double>{60e-6, 0.5});
-BENCHMARK_CAPTURE(press, adhesion_hysteresis, "adhesion_hysteresis", std::vector<double>{0.1, 0.4});
+BENCHMARK_CAPTURE(press, adhesion_hysteresis, "adhesion_hysteresis", std::vector<double>{0.1, 0.4, 0.9});
 BENCHMARK_CAPTURE(press, bulk_plasticity, "bulk_plasticity", std::vector<double>{1e9, 2.84});
 BENCHMARK_CAPTURE(press, film, "film", std::vector<double>{20e-9, 0.5});
 BENCHMARK_CAPTURE(press, viscoelasticity, "viscoelasticity", std::vector<double>{0.4, 10.0});

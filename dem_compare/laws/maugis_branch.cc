@@ -126,6 +126,31 @@ MaugisBranch::State MaugisBranch::where(double State::*value, double State::*slo
   }
 }
 
+double MaugisBranch::radius_at(double place) const {
+  const double l = lambda_, u = std::exp(place), t = std::atan(u), m = std::sqrt(1 + u * u);
+  const double q = l / 2 * (u + (u * u - 1) * t), line = 4.0 / 3 * l * l * (u * t - m + 1);
+  return 2 / (line + std::sqrt(line * line + 4 * q));
+}
+
+MaugisBranch::Contact MaugisBranch::contact_of(const State& state) const {
+  const double a = radius_at(state.place), u = std::exp(state.place);
+  return {state.approach, state.force, a, a * std::sqrt(1 + u * u)};
+}
+
+MaugisBranch::Contact MaugisBranch::contact(double approach) const {
+  const double a = std::sqrt(std::max(0.0, approach));
+  if (approach > states_.front().approach) return {approach, a * a * a, a, a};
+  return contact_of(where(&State::approach, &State::approach_slope, approach, states_.size() - 1));
+}
+
+MaugisBranch::Contact MaugisBranch::contact_under(double force) const {
+  const double a = std::cbrt(std::max(0.0, force));
+  if (force > states_.front().force) return {a * a, force, a, a};
+  return contact_of(where(&State::force, &State::force_slope, force, tensest_));
+}
+
+double MaugisBranch::edge_apart(double approach) const { return disc_at(lambda_, approach); }
+
 double MaugisBranch::force(double approach) const {
   if (states_.empty()) return approach * std::sqrt(approach) - of_dmt;
   if (approach > states_.front().approach) return approach * std::sqrt(approach);

@@ -30,6 +30,17 @@ class MaugisBranch {
   double parting() const { return parting_; }
   /// Over pi w R [-], at an approach from parting() to release().
   double force_apart(double approach) const;
+  /// A contact in Maugis' units [-]: its radius a and the edge m a of the attraction around it.
+  struct Contact {
+    double approach, force, radius, edge;
+  };
+  /// At an approach above release() [-]; lambda above 0.
+  Contact contact(double approach) const;
+  /// Under a force above -pull_off() [-]; lambda above 0.
+  Contact contact_under(double force) const;
+  /// Edge of the attraction of surfaces apart, at an approach from parting() to release() [-]; lambda above
+  /// 0.
+  double edge_apart(double approach) const;
   /// Over pi w R [-], at an approach above release().
   double force(double approach) const;
   /// In Maugis' unit; under a force above -pull_off(), over pi w R.
@@ -41,6 +52,9 @@ class MaugisBranch {
     double place, force, approach, force_slope, approach_slope;
   };
   State at(double place) const;
+  /// Radius at ln u, in Maugis' unit.
+  double radius_at(double place) const;
+  Contact contact_of(const State& state) const;
   /// State in which a value, whose slope is told beside it, falls to its target, up to a state of the table.
   State where(double State::*value, double State::*slope, double target, std::size_t last) const;
 

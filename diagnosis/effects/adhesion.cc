@@ -1,8 +1,6 @@
 // Attraction between the surfaces, from DMT (alpha = 0) to JKR (alpha = 1): Maugis' solution (1992,
-// maugis_dugdale.h) with
-//   lambda = -0.924 ln(1 - alpha)  (after Carpick, Ogletree & Salmeron 1999, eq. (9), who have 1.02 alpha),
-// up to 10. The contact forms at d = 0 and breaks where d has its minimum (fixed grips), or a
-// spring in series lets it.
+// maugis_dugdale.h) with the lambda of that alpha (attraction_in_case.h). The contact forms at d = 0 and
+// breaks where d has its minimum (fixed grips), or a spring in series lets it.
 // On a law other than Hertz' the attraction is a constant force while the surfaces touch (DMT).
 #include <algorithm>
 #include <cmath>
@@ -15,17 +13,10 @@
 namespace asperity {
 namespace {
 
-/// lambda = 10 is JKR: alpha is scaled so that it reaches that at 1 and every alpha has its own lambda.
-constexpr double lambda_of_jkr = 10, lambda_of_fit = 0.924;
-double lambda_of(double alpha) {
-  return -lambda_of_fit * std::log1p(-alpha * -std::expm1(-lambda_of_jkr / lambda_of_fit));
-}
-
-std::shared_ptr<const MaugisBranch> branch_of(double alpha) { return maugis_branch(lambda_of(alpha)); }
-
 class MaugisContact : public NormalContact {
  public:
-  MaugisContact(const Hertz& law, double pull_off, double alpha) : branch_(branch_of(alpha)) {
+  MaugisContact(const Hertz& law, double pull_off, double alpha)
+      : branch_(maugis_branch(lambda_of_transition(alpha))) {
     force_ = pull_off / branch_->pull_off();
     const double stiffness = 4.0 / 3 * law.reduced_modulus;
     approach_ = std::cbrt(std::pow(force_ / stiffness, 2) / law.radius);
@@ -109,7 +100,7 @@ class Adhesion : public Effect {
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   /// Dugdale's attraction (Maugis 1992): w = h/(c pi R), c of that lambda.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
-    const double lambda = lambda_of(p[1]);
+    const double lambda = lambda_of_transition(p[1]);
     const auto branch = maugis_branch(e.by_finite_elements ? resolvable_lambda(e, p[0], lambda) : lambda);
     const double work = p[0] / (branch->pull_off() * M_PI * e.radius);
     return dugdale_in_case(e, work, range_of_attraction(e, work, branch->lambda()));

@@ -1,12 +1,12 @@
-// More work to open the contact than it gave on closing. For a contact of radius a at displacement d (Maugis
-// 1992; JKR's general state)  f = 2 E* (a d - a^3/(3 R)),  the edge advances where the closing work w_c
-// allows and retreats where the work of adhesion on separation w_o does; between it stays pinned:  a <- a cut
-// to [a_JKR(d; w_c), a_JKR(d; w_o)].
+// More work to open the contact than it gave on closing, over one range of attraction (Maugis & Dugdale with
+// a pinned edge, pinned_dugdale.h; JKR's limit where the range is short). The contact forms at d = 0 and
+// breaks where d has its minimum on the branch of the larger work.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
-#include "dem_compare/laws/jkr.h"
+#include "dem_compare/laws/pinned_dugdale.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/mechanics/attraction_in_case.h"
 
@@ -15,43 +15,56 @@ namespace {
 
 class PinnedContact : public NormalContact {
  public:
-  PinnedContact(const Hertz& law, double closing, double opening)
-      : closing_{law.reduced_modulus, law.radius, closing},
-        opening_{law.reduced_modulus, law.radius, opening},
-        closes_from_(closing_.smallest_approach()),
-        opens_at_(opening_.smallest_approach()) {}
+  PinnedContact(const Hertz& bodies, double closing, double opening, double lambda)
+      : law_(std::make_shared<PinnedDugdale>(lambda, closing / opening)),
+        force_(M_PI * opening * bodies.radius) {
+    const double stiffness = 4.0 / 3 * bodies.reduced_modulus;
+    approach_ = std::cbrt(std::pow(force_ / stiffness, 2) / bodies.radius);
+  }
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<PinnedContact>(*this); }
-  double release() const override { return opens_at_; }
+  double release() const override { return approach_ * law_->release(); }
+  double parting() const override { return approach_ * law_->parting(); }
   double force(double d) const override {
-    const double a = tried_radius_ = radius_at(d);
-    tried_depth_ = d;
-    return a > 0 ? 2 * opening_.reduced_modulus * (a * d - a * a * a / (3 * opening_.radius)) : 0;
+    const State next = after(state_.apart() ? State{} : state_, d / approach_);
+    tried_depth_ = d, tried_ = next;
+    return next.apart() ? 0 : force_ * next.force;
+  }
+  double held_force(double d) const override {
+    return force_ * law_->at(std::max(d, parting()) / approach_, state_).force;
   }
   double displacement(double force) const override {
-    if (force <= (radius_ > 0 ? -opening_.pull_off_force() : 0.0))
-      return std::numeric_limits<double>::quiet_NaN();
-    const double least = force > -closing_.pull_off_force() ? closing_.radius_at_force(force) : 0,
-                 a = radius_ <= least ? least : std::min(radius_, opening_.radius_at_force(force));
-    return force / (2 * opening_.reduced_modulus * a) + a * a / (3 * opening_.radius);
+    return approach_ * law_->under(force / force_, state_.apart() ? State{} : state_).approach;
   }
   void accept(double d) override {
-    if (d != tried_depth_) tried_radius_ = radius_at(d);
-    radius_ = tried_radius_;
-    tried_depth_ = d;  // and the radius stays as it is
+    const bool was_tried = d == tried_depth_ && !state_.apart() && !tried_.apart();
+    state_ = was_tried ? tried_ : after(state_, d / approach_);
+    tried_depth_ = std::numeric_limits<double>::quiet_NaN();
   }
 
  private:
-  double radius_at(double d) const {
-    if (d < (radius_ > 0 ? opens_at_ : 0)) return 0;
-    const double least = d >= closes_from_ ? closing_.radius_at_approach(d) : 0;
-    if (radius_ <= least) return least;
-    return std::min(radius_, opening_.radius_at_approach(d));
+  using State = DugdaleContact;
+  /// A contact whose edge stays where it is for long, or breaks, is looked up in a table of all its states.
+  State after(const State& before, double approach) const {
+    const double b = before.held_edge;
+    const HeldCurve* curve = curve_ && curve_->held_edge() == b ? curve_.get() : nullptr;
+    const State next = law_->at(approach, before, tried_, curve);
+    if (curve || !(b > 0) || !(approach < before.approach)) return next;
+    const bool is_held = next.held_edge == b && !next.apart(), breaks = !(next.held_edge > 0);
+    held_ = b == counted_edge_ ? held_ + (is_held ? 1 : 0) : 1;
+    counted_edge_ = b;
+    constexpr int many = 20;  // a table costs as much as some thirty states
+    if (held_ == many || breaks) curve_ = std::make_shared<const HeldCurve>(law_->curve(b));
+    return next;
   }
-  Jkr closing_, opening_;
-  double closes_from_, opens_at_;  ///< displacements that no contact of either work is below [m]
-  double radius_ = 0;
+  std::shared_ptr<const PinnedDugdale> law_;
+  double force_, approach_;  ///< Maugis' units of the work on opening [N], [m]
+  State state_{};
   /// Tried last: what is accepted is mostly that.
-  mutable double tried_depth_ = std::numeric_limits<double>::quiet_NaN(), tried_radius_ = 0;
+  mutable double tried_depth_ = std::numeric_limits<double>::quiet_NaN();
+  mutable State tried_{};
+  mutable std::shared_ptr<const HeldCurve> curve_;
+  mutable int held_ = 0;  ///< states since the edge stays at that of them
+  mutable double counted_edge_ = 0;
 };
 
 class AdhesionHysteresis : public Effect {
@@ -60,8 +73,10 @@ class AdhesionHysteresis : public Effect {
     static const EffectDescription d{
         "adhesion_hysteresis",
         "Hysteresis of adhesion",
-        "f = 2 E* (a d - a^3/(3 R)), a_JKR(d; w_closing) <= a <= a_JKR(d; w_opening)",
-        "Johnson, Kendall & Roberts 1971; Maugis & Barquins 1978; Chen, Helm & Israelachvili 1991",
+        "f = a^3 - lambda [k (a S(c) + c^2 t(c)) + (1 - k) (a S(b) + b^2 t(b))], d = a^2 - 4/3 lambda "
+        "[k S(c) + (1 - k) S(b)], S(x) = (x^2 - a^2)^(1/2), t(x) = arccos(a/x), k = w_closing/w_opening, "
+        "a(d; w_closing) <= b <= c(d; w_opening), gap h0 at c; in Maugis' units, lambda as of adhesion",
+        "Maugis & Barquins 1978; Chen, Helm & Israelachvili 1991; after Maugis 1992",
         "Opening the contact takes more work than closing it gave: on unloading the edge of the contact "
         "stays pinned at first, and the "
         "curve returns on another branch than it came.",
@@ -80,12 +95,13 @@ class AdhesionHysteresis : public Effect {
     constexpr double least_ratio = 1.2;
     return p[1] > least_ratio * p[0];
   }
-  /// Johnson, Kendall & Roberts' pull-off force, of the mean of both works, and ranges of attraction from
-  /// theirs (none) on.
+  /// Of the mean of both works, of their range and others.
   SimplerForm simpler_form(const Experiment& e, const double* p) const override {
-    const double pull_off = 1.5 * M_PI * 0.5 * (p[0] + p[1]) * e.radius;
     SimplerForm form{"adhesion", {}};
-    for (const double transition : {1.0, 0.95, 0.85, 0.7, 0.5}) form.starts.push_back({pull_off, transition});
+    for (const double transition : {p[2], 1.0, 0.95, 0.85, 0.7, 0.5}) {
+      const double unit = M_PI * 0.5 * (p[0] + p[1]) * e.radius;
+      form.starts.push_back({unit * maugis_branch(lambda_of_transition(transition))->pull_off(), transition});
+    }
     return form;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
@@ -104,16 +120,16 @@ class AdhesionHysteresis : public Effect {
              1e-6 * work,
              30 * work,
              true,
-             {0.01 * work, 0.1 * work, 0.5 * work}}};
+             {0.01 * work, 0.1 * work, 0.5 * work}},
+            transition()};
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
-  /// Both works over one range: the shortest that a mesh resolves on separation.
+  /// Both works over one range, or over the shortest that a mesh resolves on separation.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
     const double closing = std::min(p[0], p[1]), opening = std::max(p[0], p[1]);
-    constexpr double lambda_of_jkr = 10;
-    double lambda = lambda_of_jkr;
-    if (e.by_finite_elements) lambda = resolvable_lambda(e, 1.5 * M_PI * opening * e.radius, lambda_of_jkr);
+    double lambda = lambda_of_transition(p[2]);
+    if (e.by_finite_elements) lambda = resolvable_lambda(e, 1.5 * M_PI * opening * e.radius, lambda);
     auto changes = dugdale_in_case(e, opening, range_of_attraction(e, opening, lambda));
     changes.push_back({"Interface/Work of adhesion on separation", opening, "J/m^2"});
     changes.front().value = closing;
@@ -121,12 +137,21 @@ class AdhesionHysteresis : public Effect {
   }
   bool returns_on_another_curve() const override { return true; }
   double opening_distance(const Experiment& e, const double* p) const override {
-    const Jkr jkr{e.reduced_modulus(), e.radius, std::max(p[0], p[1])};
-    return std::abs(jkr.smallest_approach()) + case_changes(e, p)[1].value;
+    return std::abs(contact_of(e.hertz(), p).release()) + case_changes(e, p)[1].value;
   }
   void assemble(Mechanics& m, const double* p) const override {
-    m.normal.contact =
-        std::make_shared<PinnedContact>(m.geometry, std::min(p[0], p[1]), std::max(p[0], p[1]));
+    m.normal.contact = std::make_shared<PinnedContact>(contact_of(m.geometry, p));
+  }
+
+ private:
+  static PinnedContact contact_of(const Hertz& bodies, const double* p) {
+    return {bodies, std::min(p[0], p[1]), std::max(p[0], p[1]), lambda_of_transition(p[2])};
+  }
+  /// Not down to DMT's limit: attraction without end would never let an edge go.
+  static EffectParameter transition() {
+    EffectParameter p{"transition", "", "alpha of w on opening", 0.05, 1, false, {0.3, 0.9}};
+    p.bounds_are_meant = true;
+    return p;
   }
 };
 

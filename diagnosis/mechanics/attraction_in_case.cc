@@ -18,6 +18,11 @@ double resolving_spacing(const Experiment& e, double work, double range, double 
 
 }  // namespace
 
+double lambda_of_transition(double alpha) {
+  constexpr double lambda_of_jkr = 10, lambda_of_fit = 0.924;
+  return -lambda_of_fit * std::log1p(-alpha * -std::expm1(-lambda_of_jkr / lambda_of_fit));
+}
+
 std::shared_ptr<const MaugisBranch> maugis_branch(double lambda) {
   constexpr std::size_t most = 4;
   thread_local std::array<std::shared_ptr<const MaugisBranch>, most> kept;

@@ -12,6 +12,11 @@
 
 namespace asperity {
 
+/// Maugis' lambda of a transition alpha [-] from DMT (0) to JKR (1, which lambda = 10 is):
+/// lambda = -0.924 ln(1 - alpha) (after Carpick, Ogletree & Salmeron 1999, eq. (9), who have 1.02 alpha),
+/// alpha scaled so that 1 is 10 and every alpha has its own lambda.
+double lambda_of_transition(double alpha);
+
 /// Maugis' solution of that lambda [-]; the last few asked for in this thread are kept, for a fit changes it
 /// seldom, and to see what a small change makes.
 std::shared_ptr<const MaugisBranch> maugis_branch(double lambda);

@@ -8,6 +8,7 @@
 #include "core/csv.h"
 #include "dem_compare/laws/jkr.h"
 #include "dem_compare/laws/maugis_dugdale.h"
+#include "diagnosis/mechanics/attraction_in_case.h"
 #include "tests/diagnosis/support/assembled_mechanics.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/shared_files.h"
@@ -196,11 +197,12 @@ TEST(Mechanics_other_code, adhesion_in_transition_is_the_law_of_maugis) {
   }
 }
 
-TEST(Mechanics_other_code, adhesion_hysteresis_with_equal_works_is_JKR) {
+TEST(Mechanics_other_code, adhesion_hysteresis_with_equal_works_is_Maugis_solution) {
   const Experiment e = experiment(Motion::normal);
-  const Jkr law{e.reduced_modulus(), e.radius, 0.5};
+  MaugisDugdale law{e.reduced_modulus(), e.radius, 0.5, 1};
+  law.cohesive_stress = lambda_of_transition(0.8) / law.lambda();
   const Samples path = approach_and_back(-20 * nm, 40 * nm, 201);
-  const auto f = simulate(with(e, {{"adhesion_hysteresis", {0.5, 0.5}}}), path);
+  const auto f = simulate(with(e, {{"adhesion_hysteresis", {0.5, 0.5, 0.8}}}), path);
   NormalState state;
   for (std::size_t i = 0; i < f.size(); ++i) {
     state = law.advance(state, path.list[i].normal_displacement);
@@ -211,7 +213,7 @@ TEST(Mechanics_other_code, adhesion_hysteresis_with_equal_works_is_JKR) {
 TEST(Mechanics_analytic, a_pinned_edge_unloads_as_a_flat_punch) {
   const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(0, 40 * nm, 401);
-  const auto f = simulate(with(e, {{"adhesion_hysteresis", {1e-6, 1.0}}}), path);
+  const auto f = simulate(with(e, {{"adhesion_hysteresis", {1e-6, 1.0, 1.0}}}), path);
   const double a = std::sqrt(e.radius * 40 * nm), step = 40 * nm / 400;
   EXPECT_NEAR((f[400] - f[405]) / (4 * step), 2 * e.reduced_modulus() * a,
               0.01 * 2 * e.reduced_modulus() * a);  // f[401] repeats the turn

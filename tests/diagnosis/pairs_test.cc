@@ -1,9 +1,11 @@
 // Pairs of which one effect explains nearly all of the mismatch, and the other most of what is left.
 #include <gtest/gtest.h>
 
+#include "dem_compare/laws/maugis_dugdale.h"
 #include "diagnosis/conceal/concealed_recording.h"
 #include "diagnosis/diagnose.h"
 #include "diagnosis/fit/model_fit.h"
+#include "diagnosis/mechanics/attraction_in_case.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -39,7 +41,7 @@ TEST(Pairs_other_code, adhesion_and_compliance_are_tried_together_where_both_are
   expect_adhesion_and_compliance(0.008, 5);
 }
 
-TEST(SimplerForm_analytic, of_hysteresis_with_works_alike_is_adhesion_of_jkr_s_pull_off_force) {
+TEST(SimplerForm_analytic, of_hysteresis_with_works_alike_is_adhesion_of_their_mean) {
   FitProblem problem;
   problem.experiment = test::experiment(Motion::normal);
   const auto fit = [&](double closing, double opening) {
@@ -48,18 +50,27 @@ TEST(SimplerForm_analytic, of_hysteresis_with_works_alike_is_adhesion_of_jkr_s_p
         problem.experiment, problem.choice,
         std::vector<const Effect*>{&effect_of("adhesion_hysteresis"), &effect_of("instrument_compliance")});
     for (const FreeParameter& p : f.explanation->parameters())
-      f.values.push_back(p.name == "work_closing" ? closing : p.name == "work_opening" ? opening : 1e-6);
+      f.values.push_back(p.name == "work_closing"   ? closing
+                         : p.name == "work_opening" ? opening
+                         : p.name == "transition"   ? 0.6
+                                                    : 1e-6);
     return f;
   };
   EXPECT_TRUE(fit(0.1, 0.3).in_simpler_form(problem).empty());
   const std::vector<ModelFit> simpler = fit(0.1, 0.11).in_simpler_form(problem);
   ASSERT_FALSE(simpler.empty());
+  bool has_its_own_range = false;
   for (const ModelFit& start : simpler) {
     EXPECT_EQ(start.explanation->name(), "adhesion + instrument_compliance");
     const double pull_off = *start.value_of("pull_off_force", &effect_of("adhesion"));
-    EXPECT_NEAR(pull_off, 1.5 * M_PI * 0.105 * 8.5e-6, 1e-6 * pull_off);
+    const double transition = *start.value_of("transition", &effect_of("adhesion"));
+    MaugisDugdale mean{problem.experiment.reduced_modulus(), 8.5e-6, 0.105, 1};
+    mean.cohesive_stress = lambda_of_transition(transition) / mean.lambda();
+    EXPECT_NEAR(pull_off / mean.pull_off_force(), 1, 1e-6);
+    has_its_own_range = has_its_own_range || transition == 0.6;
     EXPECT_EQ(*start.value_of("compliance", &effect_of("instrument_compliance")), 1e-6);
   }
+  EXPECT_TRUE(has_its_own_range);
 }
 
 }  // namespace

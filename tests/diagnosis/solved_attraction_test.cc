@@ -8,12 +8,17 @@
 #include <limits>
 #include <random>
 
+#include "core/csv.h"
 #include "core/error.h"
+#include "core/root.h"
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/challenge/challenge_matrix.h"
 #include "diagnosis/conceal/normal_truth.h"
 #include "diagnosis/diagnose.h"
+#include "diagnosis/mechanics/attraction_in_case.h"
 #include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/verification.h"
 
 namespace asperity {
 namespace {
@@ -224,6 +229,32 @@ TEST(SolvedAttraction_analytic, electrostatic_attraction_stands_beside_the_solut
   EXPECT_EQ(d.left_out[0].id, "electrostatic");
   EXPECT_EQ(d.left_out[0].form, "reduced law beside the solution");
   EXPECT_NEAR(d.left_out[0].parameters[0].value / voltage, 1, 0.1);
+}
+
+/// Solved by finite elements with the works and the range that the case states; none is fitted.
+TEST(AdhesionHysteresis_analytic, is_what_finite_elements_solve) {
+  const double work = 0.8, range = 1.5 * nm;
+  Experiment e;
+  e.particle = sphere, e.substrate = plane, e.radius = sphere_radius;
+  const double unit = std::cbrt(sphere_radius / (M_PI * work * std::pow(4.0 / 3 * modulus(), 2)));
+  const double lambda = 2 * work / range * unit,
+               transition = root_between([&](double alpha) { return lambda_of_transition(alpha) - lambda; },
+                                         0.0, 0.999);
+  const double works[] = {0.2, work, transition};
+  Mechanics m;
+  m.experiment = e, m.geometry = e.hertz();
+  effect_of("adhesion_hysteresis").assemble(m, works);
+  const auto contact = m.normal.contact->clone();
+  const CsvTable solved = read_csv(solved_truth("adhesion_hysteresis") / "history.csv");
+  const auto d = solved.numbers("normal_displacement [m]"), f = solved.numbers("normal_force [N]");
+  test::Largest error;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    error.count((contact->force(d[i]) - f[i]) / 92e-6);
+    contact->accept(d[i]);
+  }
+  EXPECT_TRUE(test::Verified({"Adhesion", "hysteresis, 0.2 and 0.8 J/m2 over 1.5 nm: force over the largest",
+                              "finite elements"})
+                  .below(error, 0.006));
 }
 
 /// What effects say in a case.
