@@ -37,11 +37,18 @@ std::size_t largest_size(const SearchResult& result) {
 }
 
 /// A fit of a set that was not fitted yet, or one that ended in another valley.
+auto place_of(SearchResult& result, const Effects& set) {
+  return std::find_if(result.candidates.begin(), result.candidates.end(),
+                      [&](const auto& other) { return other.fit.explanation->effects() == set; });
+}
+
+bool is_fitted(SearchResult& result, const Effects& set) {
+  return place_of(result, set) != result.candidates.end();
+}
+
 void take_better(SearchResult& result, const Candidate& found) {
   constexpr double another_valley = 0.5;  // of the cost; less is how far fits are carried on
-  const auto same = std::find_if(result.candidates.begin(), result.candidates.end(), [&](const auto& other) {
-    return other.fit.explanation->effects() == found.fit.explanation->effects();
-  });
+  const auto same = place_of(result, found.fit.explanation->effects());
   if (same == result.candidates.end())
     result.candidates.push_back(found);
   else if (found.cost < same->cost - another_valley)
@@ -86,8 +93,17 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t i = 0; i < sets.size(); ++i) {
       const ModelFit start = sets[i].second->only(problem, sets[i].first, result.alone.fit);
-      found[i].fit = refitted(problem, start, problem.samples, false, iterations);
-      cost_explanation(found[i], problem, laws, result.alone.fit);
+      const auto cost = [&](ModelFit fit) {
+        Candidate candidate;
+        candidate.fit = std::move(fit);
+        cost_explanation(candidate, problem, laws, result.alone.fit);
+        return candidate;
+      };
+      found[i] = cost(refitted(problem, start, problem.samples, false, iterations));
+      // Where responses jump one start may stay in a valley beside: all of them, if none was tried yet.
+      if (start.explanation->is_smooth() || is_fitted(result, sets[i].first)) continue;
+      const Candidate anew = cost(fit_explanation(problem, sets[i].first, &start));
+      if (anew.cost < found[i].cost) found[i] = anew;
     }
     for (const Candidate& candidate : found) take_better(result, candidate);
   }

@@ -57,7 +57,8 @@ void add_repeated_steps(RecordingTable& table, const History& history, std::size
 
 /// Approach without force (none where the surfaces attract: solved cases begin at touch), loading and
 /// unloading as one dense trace: between accepted steps F^(2/3) is straight in the approach, as it is by
-/// Hertz. The approach of a case is counted from first touch.
+/// Hertz. The approach of a case is counted from first touch. Where between two steps a contact broke is not
+/// known: nothing is recorded in between, for no force on the way is one that a contact had.
 void add_loading(RecordingTable& table, const History& solved) {
   constexpr double way_before = 0.4;  // of the largest approach
   const bool attracts = *std::min_element(solved.normal_force.begin(), solved.normal_force.end()) < 0;
@@ -83,7 +84,8 @@ void add_loading(RecordingTable& table, const History& solved) {
   const auto straight = [](double force) { return std::copysign(std::pow(std::abs(force), 2.0 / 3), force); };
   for (std::size_t i = 1; i < history.size(); ++i) {
     const auto count = static_cast<int>(std::ceil(samples * std::abs(d[i] - d[i - 1]) / path));
-    for (int k = 0; k < count; ++k) {
+    const bool breaks = history.normal_force[i - 1] < 0 && history.normal_force[i] == 0;
+    for (int k = breaks ? count - 1 : 0; k < count; ++k) {
       const double t = (k + 1.0) / count, force = straight(history.normal_force[i - 1]) * (1 - t) +
                                                   straight(history.normal_force[i]) * t;
       table.columns["run"].push_back(run);
