@@ -127,7 +127,7 @@ class AdhesionHysteresis : public Effect {
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
   /// Both works over one range, or over the shortest that a mesh resolves on separation.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
-    const double closing = std::min(p[0], p[1]), opening = std::max(p[0], p[1]);
+    const double closing = p[0], opening = std::max(p[0], p[1]);
     double lambda = lambda_of_transition(p[2]);
     if (e.by_finite_elements) lambda = resolvable_lambda(e, 1.5 * M_PI * opening * e.radius, lambda);
     auto changes = dugdale_in_case(e, opening, range_of_attraction(e, opening, lambda));
@@ -145,7 +145,7 @@ class AdhesionHysteresis : public Effect {
 
  private:
   static PinnedContact contact_of(const Hertz& bodies, const double* p) {
-    return {bodies, std::min(p[0], p[1]), std::max(p[0], p[1]), lambda_of_transition(p[2])};
+    return {bodies, p[0], std::max(p[0], p[1]), lambda_of_transition(p[2])};
   }
   /// Not down to DMT's limit: attraction without end would never let an edge go.
   static EffectParameter transition() {
