@@ -36,7 +36,7 @@ std::size_t largest_size(const SearchResult& result) {
   return size;
 }
 
-/// A fit of a set that was not fitted yet, or one that ended in another valley.
+/// Where the fit of a set stands; the end: it was not fitted yet.
 auto place_of(SearchResult& result, const Effects& set) {
   return std::find_if(result.candidates.begin(), result.candidates.end(),
                       [&](const auto& other) { return other.fit.explanation->effects() == set; });
@@ -46,6 +46,7 @@ bool is_fitted(SearchResult& result, const Effects& set) {
   return place_of(result, set) != result.candidates.end();
 }
 
+/// A fit of a set that was not fitted yet, or one that ended in another valley.
 void take_better(SearchResult& result, const Candidate& found) {
   constexpr double another_valley = 0.5;  // of the cost; less is how far fits are carried on
   const auto same = place_of(result, found.fit.explanation->effects());
