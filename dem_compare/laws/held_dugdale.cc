@@ -84,8 +84,6 @@ bool HeldDugdale::search(double approach, DugdaleContact& found) const {
   return true;
 }
 
-bool HeldDugdale::ends_loose() const { return last() < b_; }
-
 bool HeldDugdale::is_apart(const DugdaleContact& c) const {
   return c.approach <= -4.0 / 3 * l_ * (k_ * c.attraction_edge + (1 - k_) * b_);
 }

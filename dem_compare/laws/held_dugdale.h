@@ -23,9 +23,6 @@ class HeldDugdale {
   bool solve(double target, bool is_force, const DugdaleContact& near, DugdaleContact& found) const;
   /// The same by search over all of the contact, at an approach [-].
   bool search(double approach, DugdaleContact& found) const;
-  /// Whether they end where c comes down to b: the edge is left behind then, and where the contact is too
-  /// small to be stable it breaks.
-  bool ends_loose() const;
   /// Surfaces that no longer touch, at an approach [-].
   DugdaleContact apart(double approach) const;
   /// Whether the surfaces that a state apart is of do not overlap.
@@ -50,7 +47,7 @@ class HeldDugdale {
 };
 
 /// All states at once, for many of them at one b: a table of some thirty, with cubics between them, within
-/// 1e-5 of the law.
+/// 1e-5 pi w_o R of the law.
 class HeldCurve {
  public:
   /// As of HeldDugdale [-].
@@ -60,7 +57,8 @@ class HeldCurve {
   double held_edge() const { return b_; }
   /// Whether the edge stays where it is at an approach [-].
   bool holds(double approach) const;
-  /// Whether c has come down to b before an approach [-].
+  /// Whether c has come down to b before an approach [-]: the edge is left behind then, or where the contact
+  /// is too small to be stable it breaks.
   bool is_beyond(double approach) const;
   DugdaleContact at(double approach) const;
 

@@ -1,4 +1,4 @@
-// More work to open the contact than it gave on closing, over one range of attraction (Maugis & Dugdale with
+// More work to open the contact than it gave on closing, over one range of attraction (Dugdale's stress with
 // a pinned edge, pinned_dugdale.h; JKR's limit where the range is short). The contact forms at d = 0 and
 // breaks where d has its minimum on the branch of the larger work.
 #include <algorithm>
@@ -78,8 +78,8 @@ class AdhesionHysteresis : public Effect {
         "a(d; w_closing) <= b <= c(d; w_opening), gap h0 at c; in Maugis' units, lambda as of adhesion",
         "Maugis & Barquins 1978; Chen, Helm & Israelachvili 1991; after Maugis 1992",
         "Opening the contact takes more work than closing it gave: on unloading the edge of the contact "
-        "stays pinned at first, and the "
-        "curve returns on another branch than it came.",
+        "stays pinned at first, and the curve returns on another branch than it came. Radii: a of the "
+        "contact, b of what has been in contact, c of the attraction, which reaches across a gap of h0.",
         EffectKind::contact,
         {Motion::normal},
         {},
@@ -149,7 +149,8 @@ class AdhesionHysteresis : public Effect {
   }
   /// Not down to DMT's limit: attraction without end would never let an edge go.
   static EffectParameter transition() {
-    EffectParameter p{"transition", "", "alpha of w on opening", 0.05, 1, false, {0.3, 0.9}};
+    EffectParameter p{"transition", "",        "alpha of the opening, from DMT (0) to JKR (1)", 0.05, 1,
+                      false,        {0.3, 0.9}};
     p.bounds_are_meant = true;
     return p;
   }

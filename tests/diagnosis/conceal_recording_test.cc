@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "core/atomic_file.h"
+#include "core/csv.h"
 #include "core/error.h"
 #include "core/json_text.h"
+#include "diagnosis/challenge/challenge_matrix.h"
 #include "diagnosis/conceal/concealed_recording.h"
 #include "tests/dem_compare/compare/solved_folders.h"
 #include "tests/support/temporary_folder.h"
@@ -137,6 +139,25 @@ TEST(ConcealedRecording_analytic, a_solved_case_becomes_a_recording_of_its_accep
     const double d = normal.column("normal_displacement")[i];
     EXPECT_NEAR(normal.column("normal_force")[i], solved.hertz().force(d), 1e-6 * solved.load);
   }
+}
+
+TEST(ConcealedRecording_behaviour, of_a_case_that_pulls_off_holds_no_force_that_no_contact_had) {
+  const auto folder = solved_truth("adhesion_hysteresis");
+  const CsvTable solved = read_csv(folder / "history.csv");
+  const auto d = solved.numbers("normal_displacement [m]"), f = solved.numbers("normal_force [N]");
+  std::size_t open = 1;
+  while (!(f[open - 1] < 0 && f[open] == 0)) ++open;
+  const auto table = conceal_case(folder, {Motion::normal, {}, 0, 1, ""}).recording.tables[0];
+  int held = 0, free = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (table.segment[i] != "unload") continue;
+    const double at = table.column("normal_displacement")[i], force = table.column("normal_force")[i];
+    EXPECT_FALSE(at < d[open - 1] - 1e-15 && at > d[open] + 1e-15) << at;
+    (force < 0 ? held : free) += at < 0 ? 1 : 0;
+    if (at <= d[open]) EXPECT_EQ(force, 0);
+  }
+  EXPECT_GT(held, 20);
+  EXPECT_GT(free, 20);
 }
 
 }  // namespace

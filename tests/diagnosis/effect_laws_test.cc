@@ -174,6 +174,16 @@ TEST(AdhesionHysteresis_analytic, is_itself_where_opening_takes_a_fifth_more_wor
   EXPECT_FALSE(effect.is_itself(Experiment{}, less));
 }
 
+TEST(AdhesionHysteresis_behaviour, opening_takes_no_less_work_than_closing_gives) {
+  const Experiment e = test::experiment(Motion::normal);
+  const auto less = assembled(e, "adhesion_hysteresis", {3, 1, 0.7}).normal.contact->clone(),
+             alike = assembled(e, "adhesion_hysteresis", {3, 3, 0.7}).normal.contact->clone();
+  for (const double d : {5 * nm, 20 * nm, 8 * nm, 1 * nm, -1 * nm}) {
+    EXPECT_EQ(less->force(d), alike->force(d)) << d;
+    less->accept(d), alike->accept(d);
+  }
+}
+
 /// Closing gives no work: Hertz.
 TEST(AdhesionHysteresis_analytic, comes_by_the_smaller_work_and_holds_below_no_displacement) {
   const Experiment e = test::experiment(Motion::normal);
