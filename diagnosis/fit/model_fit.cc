@@ -234,9 +234,9 @@ ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
       double low = 1, high = 1;
       if (rise_at(2 * side) < rise) {
         while (high < widest && rise_at(2 * side * high) < rise) low = high, high *= 2;
-      } else {
+      } else if (explanation.is_smooth()) {
         while (low > 1 / widest && rise_at(2 * side * low) >= rise) high = low, low /= 2;
-      }
+      }  // else a straight way crosses a snap that a small change of the other values keeps where it is
       while (high > nearly * low) {
         const double middle = std::sqrt(low * high);
         (rise_at(2 * side * middle) < rise ? low : high) = middle;

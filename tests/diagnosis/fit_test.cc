@@ -141,7 +141,6 @@ struct OwnLaw {
   std::string id;
   Motion mode;
   std::vector<double> values;
-  double retreat = 1e-8;  ///< beyond first touch [m]
 };
 
 class OwnLaw_regression : public testing::TestWithParam<OwnLaw> {};
@@ -164,7 +163,7 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
       samples.list[i].hold_time = static_cast<double>(i - 200);
     for (std::size_t i = 300; i < 400; ++i)
       samples.list[i].hold = 1,
-      samples.list[i].normal_displacement = 5e-8 - (5e-8 + own.retreat) * static_cast<double>(i - 300) / 100;
+      samples.list[i].normal_displacement = 5e-8 - 6e-8 * static_cast<double>(i - 300) / 100;
   } else if (own.mode == Motion::sliding) {
     for (const double load : {2e-4, 1e-3}) {
       const Samples part = test::lateral_path(load, {0, 1e-7, 0, 1e-7, 0, 1e-7, 0}, 150);
@@ -253,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(
         OwnLaw{"bulk_plasticity", Motion::normal, {6e8, 2.84}},
         OwnLaw{"roughness_compliance", Motion::normal, {3e-9, 0.3}},
         OwnLaw{"creep", Motion::normal, {5e-9, 20}},
-        OwnLaw{"adhesion_hysteresis", Motion::normal, {0.5, 5, 0.9}, 0},
+        OwnLaw{"adhesion_hysteresis", Motion::normal, {0.5, 5, 0.9}},
         OwnLaw{"baseline_tilt", Motion::normal, {2000}},
         OwnLaw{"lateral_compliance", Motion::sliding, {5e-5}},
         OwnLaw{"adhesion_offset", Motion::sliding, {1e-4}},
