@@ -9,6 +9,7 @@
 #include "app/case_file.h"
 #include "app/driven_case.h"
 #include "app/inputs_hash.h"
+#include "app/relaxing_case.h"
 #include "app/solved_motion.h"
 #include "app/study_runner.h"
 #include "app/study_summary.h"
@@ -17,7 +18,6 @@
 #include "core/quantity.h"
 #include "core/wait_text.h"
 #include "fem/interface/adhesion_law.h"
-#include "fem/materials/material_law.h"
 
 namespace asperity {
 namespace {
@@ -66,11 +66,7 @@ FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<s
     throw InputError(file.string() + ": Experiment/Type is " + name_of(type) +
                      ", and --case takes cases of one motion, which it drives as was recorded; set Type = "
                      "normal");
-  if (fem::relaxes(input_))
-    throw InputError(file.string() +
-                     ": a body relaxes with time, and --case does not solve a case in the times of a "
-                     "recording yet; leave out Relaxing share and Relaxation time: viscoelasticity is named "
-                     "beside an elastic case");
+  refuse_what_relaxes_besides(input_, file);
 }
 
 void FiniteElementModel::refuse_for_normal_recordings() const {
@@ -101,6 +97,8 @@ SimulatedBodies FiniteElementModel::bodies() const {
           input_.interface.work_of_adhesion,
           fem::work_of_adhesion(input_.interface).opening,
           input_.interface.attraction_force,
+          relaxation_of(input_.particle),
+          relaxation_of(input_.substrate),
           rms_of_generated(input_.substrate),
           input_.experiment.unload_steps};
 }
@@ -116,6 +114,7 @@ template <class Protocol>
 Settings FiniteElementModel::driven_by(const Protocol& protocol,
                                        const std::vector<CaseChange>& changes) const {
   Settings driven = settings_;
+  leave_out_relaxation(driven, input_);
   drive(driven, protocol);
   for (const CaseChange& change : changes)
     set_entry(driven, change.entry,

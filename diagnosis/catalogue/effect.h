@@ -161,6 +161,9 @@ class Effect {
   }
 };
 
+/// Why an effect cannot be tried in a case of finite elements, as the end of a sentence; empty where it can.
+std::string why_without_form(const Effect& effect, const Experiment& experiment);
+
 /// All effects, by name.
 const std::vector<std::unique_ptr<Effect>>& effect_catalogue();
 /// Throws InputError with the nearest name.

@@ -18,7 +18,7 @@ constexpr std::size_t largest_beside_off_contact = 6;
 
 /// In a case of finite elements only what enters there, or acts on any history.
 bool has_a_form(const Effect& effect, const Experiment& experiment) {
-  return !experiment.by_finite_elements || effect.enters_by(experiment) != EntersBy::reduced_law_only;
+  return !experiment.by_finite_elements || why_without_form(effect, experiment).empty();
 }
 
 /// The best sets of one size.

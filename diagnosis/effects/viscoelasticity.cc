@@ -1,136 +1,38 @@
 // A body that relaxes: the modulus falls from E* to (1 - g) E* with the time constant tau (standard linear
-// solid), E(t) = E* psi(t), psi(t) = 1 - g + g exp(-t/tau). While the contact grows (Lee & Radok 1960)
-//   f = int_0^t psi(t - s) dF(d(s)),  F: force of the elastic body, by Hertz 4/3 E* R^(1/2) d^(3/2),
-// and where it shrinks it is as large as it was at t_1 (Ting 1966),
-//   f = int_0^(t_1) psi(t - s) dF(d(s)),  int_(t_1)^t psi(t - s) dd(s) = 0.
-// Pressed again, the first integral is over all that was: 1 % of the largest force off boundary elements
-// where it had not opened, 10 % where it had, for the body has not recovered. Of a solved case F is the
-// solution's: each displacement has one set of points that touch, whatever the modulus, so that this holds
-// for rough contacts too.
+// solid); the law of the contact is relaxing_contact.h. Of a case of finite elements it is the shear modulus
+// of one body that relaxes so, and E* as relaxing_modulus.h says.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/relaxing_contact.h"
 #include "diagnosis/mechanics/yielding_contact.h"
 #include "diagnosis/outcome/diagnosis.h"
 
 namespace asperity {
 namespace {
 
-class RelaxingContact : public NormalContact {
- public:
-  RelaxingContact(const Hertz& law, double share, double time_constant)
-      : law_(law), share_(share), time_constant_(time_constant) {}
-  std::unique_ptr<NormalContact> clone() const override { return std::make_unique<RelaxingContact>(*this); }
-  void begin_step(double time_step) override { step_ = time_step / time_constant_; }
-  double solved_force(double d) const override { return elastic(d); }
-  double force(double d) const override {
-    if (d <= 0) return 0;
-    const Instant largest = state_as_it_grows(d);
-    if (grows_at(d)) return std::max(0.0, (1 - share_) * largest.force + share_ * largest.force_left);
-    return shrunk_force(d);
-  }
-  void accept(double d) override {
-    d = std::max(0.0, d);
-    const Instant now = state_as_it_grows(d);
-    if (d == 0) {
-      growth_.assign(1, now);
-      shrinking_ = 0;
-    } else if (grows_at(d)) {
-      growth_.push_back(now);
-      shrinking_ = 0;
-    } else {
-      shrinking_ = shrinking_at(d);
-    }
-    time_ += step_;
-    last_ = now;
-  }
-
- private:
-  /// While the contact grew, times in units of tau.
-  struct Instant {
-    double time = 0, depth = 0, force = 0;  ///< [-], [m], of the elastic body [N]
-    double depth_left = 0, force_left = 0;  ///< integrals of exp(-(t - s)) over depth and force
-  };
-
-  double elastic(double d) const {
-    return d > 0 ? 4.0 / 3 * law_.reduced_modulus * std::sqrt(law_.radius * d) * d : 0;
-  }
-  /// Mean of the exponential over a time.
-  static double mean_left(double time) { return time > 1e-9 ? -std::expm1(-time) / time : 1; }
-  /// After this step, with depth and elastic force growing evenly over it.
-  Instant state_as_it_grows(double d) const {
-    const double left = std::exp(-step_), mean = mean_left(step_), force = elastic(d);
-    return {time_ + step_, d, force, last_.depth_left * left + (d - last_.depth) * mean,
-            last_.force_left * left + (force - last_.force) * mean};
-  }
-  /// Integral of exp(-(t - s)) over the depth since the contact was largest [m].
-  double shrinking_at(double d) const {
-    return shrinking_ * std::exp(-step_) + (d - last_.depth) * mean_left(step_);
-  }
-  /// Integral of psi(t - s) over the depth since then [m].
-  double regained_at(double d) const {
-    return (1 - share_) * (d - growth_.back().depth) + share_ * shrinking_at(d);
-  }
-  bool grows_at(double d) const { return regained_at(d) >= 0; }
-  /// Of a contact that is smaller than it was, as at t_1.
-  double shrunk_force(double d) const {
-    const double now = time_ + step_, since_largest = regained_at(d);
-    const Instant& largest = growth_.back();
-    const double largest_left = largest.depth_left * std::exp(largest.time - now);
-    const auto regained_since = [&](const Instant& m) {
-      return since_largest + (1 - share_) * (largest.depth - m.depth) +
-             share_ * (largest_left - m.depth_left * std::exp(m.time - now));
-    };
-    const auto force_of = [&](const Instant& m) {
-      return (1 - share_) * m.force + share_ * m.force_left * std::exp(m.time - now);
-    };
-    const auto after = std::partition_point(growth_.begin(), growth_.end(),
-                                            [&](const Instant& m) { return regained_since(m) >= 0; });
-    if (after == growth_.begin() || after == growth_.end()) return 0;
-    const double before = regained_since(*(after - 1)), part = before / (before - regained_since(*after));
-    return (1 - part) * force_of(*(after - 1)) + part * force_of(*after);
-  }
-
-  Hertz law_;
-  double share_, time_constant_;
-  std::vector<Instant> growth_{1};  ///< from first touch to where it was largest
-  double step_ = 0, time_ = 0;      ///< of this step, and at the last; over tau
-  double shrinking_ = 0;            ///< integral of exp(-(t - s)) over the depth since then [m]
-  Instant last_;                    ///< of all of the history
-};
-
 bool is_of_elastic_case(const Experiment& e) {
   return std::isinf(std::min(e.particle_yield, e.substrate_yield)) && e.case_work_of_adhesion == 0 &&
          e.case_attraction_force == 0;
 }
 
-/// Of a body whose shear modulus relaxes and whose bulk modulus stays.
-struct RelaxingBody {
-  double share, time;  ///< [-], [s]
-};
+/// The body that relaxes: of the case, where one does, or else the softer one.
+bool particle_relaxes(const Experiment& e) {
+  return e.case_relaxes() ? e.particle_relaxation.share > 0 : particle_is_softer(e);
+}
 
-/// The softer body, if it is the one that lets E* of the pair fall by `share` with `time` [s]: with
-/// E/(1 - nu^2) = 4 G (3K + G)/(3K + 4G), the same E* in the end and the same lag behind slow loading.
-RelaxingBody relaxing_body(const Experiment& e, double share, double time) {
-  const ElasticBody body = softer_body(e);
-  const double G = body.youngs_modulus / (2 * (1 + body.poisson_ratio)),
-               K = body.youngs_modulus / (3 * (1 - 2 * body.poisson_ratio));
-  const auto indented = [K](double shear) { return 4 * shear * (3 * K + shear) / (3 * K + 4 * shear); };
-  const double fast = e.reduced_modulus(), slow = (1 - share) * fast,
-               of_body = 1 / (1 / slow - (1 / fast - 1 / indented(G)));
-  double low = 0, high = G;
-  constexpr int bisections = 60;
-  for (int i = 0; i < bisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (indented(middle) < of_body ? low : high) = middle;
-  }
-  const double left = 0.5 * (low + high), small = 1e-4 * left,
-               slope = (indented(left + small) - indented(left - small)) / (2 * small);
-  // Slow loading: E* = slow + share time fast d/dt, of the body M = of_body + slope (G - left) tau d/dt.
-  const double lag = share * time * fast * std::pow(of_body / slow, 2) / (slope * (G - left));
-  return {1 - left / G, lag};
+/// The shear modulus of that body, where E* of the pair relaxes by `pair`.
+RelaxingPart shear_of(const Experiment& e, const RelaxingPart& pair) {
+  return particle_relaxes(e) ? relaxing_shear(e.particle, pair, e.substrate)
+                             : relaxing_shear(e.substrate, pair, e.particle);
+}
+
+RelaxingModulus modulus_of(const Experiment& e, const RelaxingPart& shear) {
+  return particle_relaxes(e) ? relaxing_modulus(e.particle, shear, e.substrate)
+                             : relaxing_modulus(e.substrate, shear, e.particle);
 }
 
 class Viscoelasticity : public Effect {
@@ -154,17 +56,29 @@ class Viscoelasticity : public Effect {
     return d;
   }
   /// In a hold it is creep, which is named so. Pressed at one speed it looks like yielding, which is nearer
-  /// at hand for a stiff body.
+  /// at hand for a stiff body. A case that relaxes may do so by other numbers.
   bool can_show(const Experiment& e) const override {
     constexpr double least_ratio = 2, stiffest_polymer = 20e9;
+    if (e.case_relaxes()) return e.has_time;
     return e.has_time && e.has_unloading && e.hold_duration == 0 &&
            (e.fastest_run > least_ratio * e.slowest_run || e.reduced_modulus() < stiffest_polymer);
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
-    const double time = e.duration;
-    return {
-        {"share", "", "g, part of the modulus that relaxes", 1e-3, 0.999, false, {0.1, 0.5}},
-        {"time_constant", "s", "tau", 1e-3 * time, 100 * time, true, {0.05 * time, 0.3 * time, 2 * time}}};
+    const double time = e.duration, shortest = 1e-3 * time, longest = 100 * time;
+    EffectParameter share{"share", "", "g, part of the modulus that relaxes", 1e-3, 0.999, false, {0.1, 0.5}},
+        constant{"time_constant", "s", "tau", shortest, longest, true, {0.05 * time, 0.3 * time, 2 * time}};
+    const std::vector<double> of_case = values_in_case(e);
+    if (!of_case.empty()) {
+      share.starts.push_back(of_case[0]);
+      constant.starts.push_back(std::clamp(of_case[1], shortest, longest));
+    }
+    return {share, constant};
+  }
+  std::vector<double> values_in_case(const Experiment& e) const override {
+    if (!e.case_relaxes()) return {};
+    const RelaxingPart shear = particle_relaxes(e) ? e.particle_relaxation : e.substrate_relaxation;
+    const RelaxingPart of_pair = as_one_part(modulus_of(e, shear));
+    return {of_pair.share, of_pair.time};
   }
   EntersBy enters_by(const Experiment& e) const override {
     return is_of_elastic_case(e) ? EntersBy::on_force : EntersBy::reduced_law_only;
@@ -178,13 +92,13 @@ class Viscoelasticity : public Effect {
   std::vector<CorrectedEntry> corrected_entries(const Experiment& e,
                                                 const std::vector<DiagnosedParameter>& found) const override {
     if (!is_of_elastic_case(e)) return {};
-    const std::string section = particle_is_softer(e) ? "Particle/" : "Substrate/";
-    const RelaxingBody at = relaxing_body(e, found[0].value, found[1].value);
+    const std::string section = particle_relaxes(e) ? "Particle/" : "Substrate/";
+    const RelaxingPart at = shear_of(e, {found[0].value, found[1].value});
     CorrectedEntry share{section + "Relaxing share", "", at.share, at.share, at.share, ""},
         time{section + "Relaxation time", "s", at.time, at.time, at.time, ""};
     for (const double of_pair : {found[0].low, found[0].high})
       for (const double constant : {found[1].low, found[1].high}) {
-        const RelaxingBody corner = relaxing_body(e, of_pair, constant);
+        const RelaxingPart corner = shear_of(e, {of_pair, constant});
         share.low = std::min(share.low, corner.share), share.high = std::max(share.high, corner.share);
         time.low = std::min(time.low, corner.time), time.high = std::max(time.high, corner.time);
       }
@@ -192,7 +106,10 @@ class Viscoelasticity : public Effect {
     return {share, time, {"Experiment/Load time", "s", loading, loading, loading, ""}};
   }
   void assemble(Mechanics& m, const double* p) const override {
-    m.normal.contact = std::make_shared<RelaxingContact>(m.geometry, p[0], p[1]);
+    const RelaxingPart of_pair{p[0], p[1]};
+    const Experiment& e = m.experiment;
+    m.normal.contact = std::make_shared<RelaxingContact>(
+        m.geometry, e.by_finite_elements ? modulus_of(e, shear_of(e, of_pair)) : RelaxingModulus{of_pair});
   }
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/hertz.h"
 #include "core/motion.h"
+#include "core/relaxing_modulus.h"
 
 namespace asperity {
 
@@ -101,8 +102,9 @@ struct SimulatedBodies {
   double work_of_adhesion = 0;      ///< on approach [J/m^2]
   double work_of_separation = 0;    ///< of adhesion, on separation [J/m^2]
   double attraction_force = 0;      ///< beyond the contact [N]
-  double substrate_rms = 0;         ///< of a generated substrate [m]; 0: it is smooth or a scan
-  int unload_steps = 0;             ///< in which it is drawn back; 0: not known
+  RelaxingPart particle_relaxation, substrate_relaxation;  ///< of their shear moduli
+  double substrate_rms = 0;  ///< of a generated substrate [m]; 0: it is smooth or a scan
+  int unload_steps = 0;      ///< in which it is drawn back; 0: not known
 };
 
 /// A simulation that is solved anew for each set of changes.

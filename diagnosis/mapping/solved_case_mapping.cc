@@ -70,10 +70,10 @@ Recording SolvedCaseMapping::with_bodies_of_case(const Recording& recording) {
         "and spin; leave out --case to diagnose it by reduced laws");
   is_lateral_ = recording.mode != Motion::normal;
   const SimulatedBodies bodies = model_.bodies();
+  if (bodies.particle_relaxation.share > 0 || bodies.substrate_relaxation.share > 0)
+    prepare_relaxing(recording);
   Recording changed = recording;
-  if (is_lateral_) {
-    prepare_lateral(changed, bodies);
-  }
+  if (is_lateral_) prepare_lateral(changed, bodies);
   take(changed.particle, bodies.particle, "particle", remarks_);
   take(changed.substrate, bodies.substrate, "substrate", remarks_);
   constexpr double rounding = 1e-3;
@@ -85,6 +85,23 @@ Recording SolvedCaseMapping::with_bodies_of_case(const Recording& recording) {
   changed.particle.radius = bodies.radius;
   for (auto& table : changed.tables) table.columns.erase("radius");
   return changed;
+}
+
+void SolvedCaseMapping::prepare_relaxing(const Recording& recording) {
+  const std::string relaxes = "a body of the case relaxes with time, and ";
+  if (is_lateral_)
+    throw InputError(relaxes + "a recording of " + name_of(recording.mode) +
+                     " is not set against such a case yet; leave out Relaxing share and Relaxation time");
+  for (const auto& table : recording.tables)
+    if (!table.has("time"))
+      throw InputError(relaxes +
+                       "the recording has no column time; record it, or leave out Relaxing share "
+                       "and Relaxation time");
+  remarks_.push_back(
+      "a body of the case relaxes with time: the case is solved as it is right after fast loading, and "
+      "relaxes "
+      "around that solution in the times of the recording (hereditary integral of Lee & Radok 1960, Ting "
+      "1966)");
 }
 
 std::vector<LoadingProtocol> SolvedCaseMapping::asked_for(const FitProblem& problem,
@@ -143,6 +160,8 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.experiment.case_work_of_adhesion = bodies.work_of_adhesion;
   problem.experiment.case_work_of_separation = bodies.work_of_separation;
   problem.experiment.case_attraction_force = bodies.attraction_force;
+  problem.experiment.particle_relaxation = bodies.particle_relaxation;
+  problem.experiment.substrate_relaxation = bodies.substrate_relaxation;
   problem.experiment.case_rms = bodies.substrate_rms;
   if (is_lateral_) return correct_lateral(problem);
   const Mechanics alone = Explanation(problem.experiment, problem.choice, {}).mechanics({});
@@ -205,9 +224,10 @@ void SolvedCaseMapping::add_case_entries(const FitProblem& problem,
 
 std::vector<UntriedEffect> SolvedCaseMapping::effects_without_form(const Experiment& experiment) const {
   std::vector<UntriedEffect> list;
-  for (const auto& effect : effect_catalogue())
-    if (effect->is_shown_by(experiment) && effect->enters_by(experiment) == EntersBy::reduced_law_only)
-      list.push_back({effect->id(), effect->why_not_by_finite_elements(experiment)});
+  for (const auto& effect : effect_catalogue()) {
+    const std::string why = effect->is_shown_by(experiment) ? why_without_form(*effect, experiment) : "";
+    if (!why.empty()) list.push_back({effect->id(), why});
+  }
   return list;
 }
 

@@ -78,6 +78,8 @@ class SolvedCaseMapping {
   };
   SolvedSet solved_set(const FitProblem& problem, const ModelFit& fit, const std::vector<double>& expected,
                        bool may_begin_again);
+  /// Throws InputError for a recording in whose times the case cannot relax.
+  void prepare_relaxing(const Recording& recording);
   /// The recording's law is the case's own. Throws InputError for one of several surfaces.
   void prepare_lateral(Recording& recording, const SimulatedBodies& bodies);
   void correct_lateral(FitProblem& problem);

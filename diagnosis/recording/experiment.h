@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/hertz.h"
+#include "core/relaxing_modulus.h"
 #include "diagnosis/recording/samples.h"
 #include "diagnosis/recording/sliding_trace.h"
 
@@ -54,6 +55,8 @@ struct Experiment {
   double case_work_of_adhesion = 0;    ///< its own, on approach [J/m^2]
   double case_work_of_separation = 0;  ///< the same on separation [J/m^2]
   double case_attraction_force = 0;    ///< its attraction beyond the contact [N]
+  /// Of their shear moduli, as it is.
+  RelaxingPart particle_relaxation, substrate_relaxation;
   /// RMS roughness of its substrate where that is generated, or of the recorded surface that it is solved
   /// with [m]; 0: smooth or a scan.
   double case_rms = 0;
@@ -62,6 +65,8 @@ struct Experiment {
   bool is_lateral() const {
     return mode == Motion::sliding || mode == Motion::rolling || mode == Motion::torsion;
   }
+  /// A body of the case relaxes with time.
+  bool case_relaxes() const { return particle_relaxation.share > 0 || substrate_relaxation.share > 0; }
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }
   Hertz hertz() const { return {reduced_modulus(), radius}; }

@@ -59,14 +59,11 @@ void press(const test::TemporaryFolder& folder, double time, std::mt19937& rando
     }
 }
 
-TEST(DiagnoseCaseNightly_other_code, a_body_that_relaxes_is_named_and_the_corrected_case_has_its_entries) {
-  const test::TemporaryFolder folder;
-  std::mt19937 random(3);
-  RelaxingTruth truth;
-  for (const double time : {2.0, 20.0}) press(folder, time, random, truth);
+/// A recording with these rows; its folder.
+std::filesystem::path recording_of(const test::TemporaryFolder& folder, const std::string& rows) {
   const auto recording = folder.path / "recording";
   std::filesystem::create_directory(recording);
-  write_file_atomically(recording / "data.csv", truth.rows);
+  write_file_atomically(recording / "data.csv", rows);
   const nlohmann::json polymer{
       {"material", "polymer"}, {"youngs_modulus", "3 GPa"}, {"poissons_ratio", 0.34}, {"radius", "8.5 um"}};
   const nlohmann::json silicon{
@@ -80,6 +77,15 @@ TEST(DiagnoseCaseNightly_other_code, a_body_that_relaxes_is_named_and_the_correc
   table["control"] = std::vector<std::string>{"normal_displacement"};
   about["tables"] = std::vector<nlohmann::json>{table};
   write_file_atomically(recording / "recording.json", about.dump());
+  return recording;
+}
+
+TEST(DiagnoseCaseNightly_other_code, a_body_that_relaxes_is_named_and_the_corrected_case_has_its_entries) {
+  const test::TemporaryFolder folder;
+  std::mt19937 random(3);
+  RelaxingTruth truth;
+  for (const double time : {2.0, 20.0}) press(folder, time, random, truth);
+  const auto recording = recording_of(folder, truth.rows);
   const auto file = folder.write("mine.prm", polymer_case("", " set Normal load = 50 uN\n", 50));
   const auto output = folder.path / "diagnosis";
   const auto outcome = test::call("diagnose " + recording.string() + " --case " + file.string() +
@@ -101,6 +107,36 @@ TEST(DiagnoseCaseNightly_other_code, a_body_that_relaxes_is_named_and_the_correc
   const auto solved = test::call("solve " + (output / "corrected.prm").string() + " --output " +
                                  (folder.path / "corrected").string());
   EXPECT_EQ(solved.status, 0) << solved.output;
+  const auto again =
+      test::call("diagnose " + recording.string() + " --case " + (output / "corrected.prm").string() +
+                 " --output " + (folder.path / "again").string());
+  ASSERT_EQ(again.status, 0) << again.output;
+  EXPECT_EQ(nlohmann::json::parse(read_file(folder.path / "again" / "diagnosis.json"))["verdict"],
+            "no_mismatch")
+      << again.output;
+}
+
+TEST(DiagnoseRelaxingCase_behaviour, what_its_law_does_not_hold_for_is_refused_in_a_sentence) {
+  const test::TemporaryFolder folder;
+  const std::string recording = recording_of(folder,
+                                             "run,segment,time [s],normal_displacement [m],normal_force [N]\n"
+                                             "1,load,0,0,0\n1,load,1,1e-8,1e-5\n1,load,2,2e-8,3e-5\n")
+                                    .string();
+  const std::string relaxes = " set Relaxing share = 0.5\n set Relaxation time = 8 s\n";
+  const auto refused = [&](const std::string& more) {
+    const auto file =
+        folder.write("case.prm", polymer_case(relaxes, " set Normal load = 50 uN\n", 50) + more);
+    const auto outcome = test::call("diagnose " + recording + " --case " + file.string() + " --output " +
+                                    (folder.path / "out").string());
+    EXPECT_NE(outcome.status, 0);
+    return outcome.output;
+  };
+  EXPECT_NE(refused("subsection Substrate\n set Relaxing share = 0.2\n set Relaxation time = 1 s\nend\n")
+                .find("both bodies relax with time"),
+            std::string::npos);
+  EXPECT_NE(refused("subsection Substrate\n set Yield stress = 5 GPa\nend\n")
+                .find("only where no body yields and surfaces do not attract"),
+            std::string::npos);
 }
 
 }  // namespace
