@@ -127,6 +127,17 @@ std::shared_ptr<const Explanation> Explanation::with(
   return other;
 }
 
+std::shared_ptr<const Explanation> Explanation::without_relaxation_of_case() const {
+  auto other = std::make_shared<Explanation>(*this);
+  auto& list = other->as_in_case_;
+  list.erase(std::remove_if(list.begin(), list.end(),
+                            [&](const AsInCase& of_case) {
+                              return of_case.effect->enters_by(experiment_) == EntersBy::on_force;
+                            }),
+             list.end());
+  return list.size() < as_in_case_.size() ? other : nullptr;
+}
+
 bool Explanation::is_smooth() const {
   return std::all_of(effects_.begin(), effects_.end(),
                      [](const Effect* effect) { return effect->description().is_smooth; });

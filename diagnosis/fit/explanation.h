@@ -44,6 +44,8 @@ class Explanation {
   Mechanics mechanics(const std::vector<double>& values) const;
   /// The same explanation with another correction.
   std::shared_ptr<const Explanation> with(std::shared_ptr<const BranchCorrection> correction) const;
+  /// The same of a case whose bodies do not relax; null where none does, or the set says how.
+  std::shared_ptr<const Explanation> without_relaxation_of_case() const;
   bool is_smooth() const;    ///< in its parameters
   std::string name() const;  ///< "a + b", "the simulation alone"
   /// Whether these effects can stand together.

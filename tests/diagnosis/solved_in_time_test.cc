@@ -26,7 +26,8 @@ using half_space::Grid;
 using test::nm;
 using test::Verified;
 
-const ElasticBody relaxing_polymer{3e9, 0.34}, stiff_plate{179e9, 0.25};
+/// Nearly incompressible: E* of the pair relaxes in one exponential nearly, as these half-spaces do.
+const ElasticBody relaxing_polymer{3e9, 0.49}, stiff_plate{179e9, 0.25};
 constexpr double of_sphere = 8.5e-6;
 
 /// Undeformed gap of a sphere and a plane with 3 nm RMS of waves of 0.2 to 0.6 um, 0 where they touch first.
