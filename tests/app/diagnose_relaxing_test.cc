@@ -118,10 +118,9 @@ TEST(DiagnoseCaseNightly_other_code, a_body_that_relaxes_is_named_and_the_correc
 
 TEST(DiagnoseRelaxingCase_behaviour, what_its_law_does_not_hold_for_is_refused_in_a_sentence) {
   const test::TemporaryFolder folder;
-  const std::string recording = recording_of(folder,
-                                             "run,segment,time [s],normal_displacement [m],normal_force [N]\n"
-                                             "1,load,0,0,0\n1,load,1,1e-8,1e-5\n1,load,2,2e-8,3e-5\n")
-                                    .string();
+  std::string rows = "run,segment,time [s],normal_displacement [m],normal_force [N]\n";
+  for (int k = 0; k < 24; ++k) rows += printed("1,load,%d,%.3e,%.3e\n", k, k * 1e-9, k * 1e-6);
+  const std::string recording = recording_of(folder, rows).string();
   const std::string relaxes = " set Relaxing share = 0.5\n set Relaxation time = 8 s\n";
   const auto file = folder.write("case.prm", polymer_case(relaxes, " set Normal load = 50 uN\n", 50));
   const auto expect_refused = [&](const std::string& more, const char* why) {
