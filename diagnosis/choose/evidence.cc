@@ -50,6 +50,36 @@ void score(Candidate& candidate, const Experiment& experiment, std::size_t admis
   candidate.fit.part_of_bound = likely.part_of_bound;
 }
 
+/// Fits on the surface that is likely as long as its cost falls: what surfaces change is linear about the
+/// factors of the last fit only, and the zero is not linear at all.
+void settle_on_surface(Candidate& candidate, const FitProblem& problem, const LawErrors& laws,
+                       const ModelFit& baseline) {
+  constexpr int most_rounds = 4, steps = 3;
+  constexpr double little = 0.5;  // of -2 log likelihood
+  for (int round = 0; round < most_rounds; ++round) {
+    Candidate next = candidate;
+    next.fit = refitted(problem, candidate.fit, problem.samples, false, steps);
+    cost_explanation(next, problem, laws, baseline);
+    const double gain = candidate.least_cost() - next.least_cost();
+    if (gain > 0) candidate = std::move(next);
+    if (!(gain > little)) break;
+  }
+}
+
+/// Sets that may win, or come near, once they are settled.
+void settle_near_best(SearchResult& result, const FitProblem& problem, const LawErrors& laws) {
+  constexpr double near = 40;
+  if (!problem.correction || problem.correction->surface_errors().empty() || result.candidates.empty())
+    return;
+  const double least = std::max(result.alone.score, result.candidates.front().score) - near;
+  settle_on_surface(result.alone, problem, laws, result.alone.fit);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < result.candidates.size(); ++i)
+    if (result.candidates[i].score > least)
+      settle_on_surface(result.candidates[i], problem, laws, result.alone.fit);
+  score_all(result, problem);
+}
+
 }  // namespace
 
 void score_all(SearchResult& result, const FitProblem& problem) {
@@ -99,6 +129,7 @@ void rescore(SearchResult& result, const FitProblem& problem) {
     cost_explanation(candidate, problem, laws, result.alone.fit);
   }
   score_all(result, problem);
+  settle_near_best(result, problem, laws);
 }
 
 }  // namespace asperity

@@ -19,6 +19,19 @@ double apart(const FitProblem& problem, const ModelFit& one, const ModelFit& oth
   return std::sqrt(sum);
 }
 
+/// Mean square of what the solution may be off by, in deviations of noise [-].
+double mesh_over_noise(const FitProblem& problem, const ModelFit& fit) {
+  if (!fit.explanation->correction()) return 0;
+  const auto errors = mesh_errors(fit, problem.samples);
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < problem.samples.list.size(); ++i) {
+    if (!problem.samples.list[i].counts) continue;
+    for (const LawError& error : errors) sum += std::pow(error[i] / problem.noise.sd[i], 2);
+    ++count;
+  }
+  return sum / std::max(1.0, count);
+}
+
 }  // namespace
 
 bool JudgedSet::is_part_of(const JudgedSet& other) const {
@@ -40,7 +53,10 @@ Rivalry rivalry(const FitProblem& problem, const JudgedSet& chosen, const Judged
   constexpr double equal = 1.05;  // of held-out cost, which is noise below 1
   constexpr double same = 2;      // deviations by which all samples together would tell them apart
   const double difference = chosen.candidate->score - other.candidate->score;
-  const bool predicts_as_well = other.held_out.cost <= equal * std::max(1.0, chosen.held_out.cost);
+  // A solution that is off by more than noise predicts no set better than by a part of that.
+  constexpr double part_of_mesh = 0.5;
+  const double by_mesh = part_of_mesh * part_of_mesh * mesh_over_noise(problem, chosen.fit);
+  const bool predicts_as_well = other.held_out.cost <= equal * std::max(1.0, chosen.held_out.cost) + by_mesh;
   const bool is_ahead = would_be_ahead(*other.candidate, *chosen.candidate);
   // One of more parameters that imitates the chosen one is no rival of it.
   const bool is_same = difference < 2 * as_good && other.fit.values.size() <= chosen.fit.values.size() &&
