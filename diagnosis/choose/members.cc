@@ -37,6 +37,45 @@ bool has_layer(const Effects& effects) {
   });
 }
 
+/// Mean square of values about their means in groups of samples at nearly the same displacement, or force
+/// where that is driven, over their mean square [-]: 0 of what depends on it alone.
+double share_with_history(const Samples& samples, const std::vector<double>& values) {
+  constexpr std::size_t in_group = 24;
+  double within = 0, all = 0;
+  for (const SampleRun& run : samples.runs) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = run.begin; i < run.end; ++i)
+      if (samples.list[i].counts) order.push_back(i);
+    const auto driven = [&](std::size_t i) {
+      return run.response_is_displacement ? samples.list[i].normal_force
+                                          : samples.list[i].normal_displacement;
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return driven(a) < driven(b); });
+    for (std::size_t from = 0; from < order.size(); from += in_group) {
+      const std::size_t to = std::min(order.size(), from + in_group);
+      double sum = 0, squares = 0;
+      for (std::size_t k = from; k < to; ++k)
+        sum += values[order[k]], squares += std::pow(values[order[k]], 2);
+      within += squares - sum * sum / static_cast<double>(to - from);
+      all += squares;
+    }
+  }
+  return all > 0 ? within / all : 0;
+}
+
+/// Whether what a member changes beside the others differs at the same load, as nothing does that the law of
+/// a layer may be off by.
+bool has_history(const FitProblem& problem, const SearchResult& search, const Candidate& candidate,
+                 const Effects& others) {
+  constexpr double enough = 0.05;
+  if (problem.experiment.mode != Motion::normal) return false;
+  auto change = candidate.fit.simulate(problem.samples);
+  const auto without = candidate.fit.only(problem, others, search.alone.fit).simulate(problem.samples);
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] -= without[i];
+  return share_with_history(problem.samples, change) > enough;
+}
+
 const Candidate* find(const SearchResult& search, const Effects& effects) {
   const std::set<const Effect*> wanted(effects.begin(), effects.end());
   for (const auto& candidate : search.candidates) {
@@ -78,7 +117,7 @@ Place place_of(const FitProblem& problem, const SearchResult& search, const Scan
     return least_gained < std::min(least_part_of_incomplete * whole, part_of_rest * rest) ? Place::none
                                                                                           : Place::earned;
   if (gained >= least_part * whole) return Place::earned;
-  if (has_layer(others)) return Place::mends_a_layer;
+  if (has_layer(others) && !has_history(problem, search, candidate, others)) return Place::mends_a_layer;
   // What an instrument adds is known in form; a second law of the contact may only mend the first one's.
   const double evidence = candidate.score_as_stated - smaller.score_as_stated;
   if (evidence > plain_evidence && member.description().kind == EffectKind::instrument) return Place::earned;
