@@ -216,6 +216,34 @@ TEST(JudgedSets_analytic, what_data_cannot_tell_is_as_good_within_odds_of_a_hund
   EXPECT_TRUE(as_good_at(-8, 0.1 * nm, 1)) << "ahead if all laws were off by what they state";
 }
 
+/// Finite elements that agree with Hertz and state that they may be off by so much.
+class OffByItsMesh : public BranchCorrection {
+ public:
+  explicit OffByItsMesh(double error) : error_(error) {}
+  double error() const override { return error_; }
+
+ private:
+  double error_;
+};
+
+/// 0.01 nm are 1 uN at most, half of the noise; 0.3 nm are fifteen deviations.
+TEST(JudgedSets_analytic, a_solution_off_by_more_than_noise_does_not_predict_better_by_noise) {
+  const Hertz hertz = test::experiment(Motion::normal).hertz();
+  const FitProblem problem = pressed([&](double d) { return hertz.force(d); });
+  Candidate first, second;
+  first.score = first.score_as_stated = 0;
+  second.score = -2, second.score_as_stated = -10;
+  const auto is_as_good = [&](double mesh_error) {
+    JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
+        other{&second, with_values(problem, "contact_point_offset", {0.1 * nm}), {}};
+    chosen.fit.explanation = chosen.fit.explanation->with(std::make_shared<OffByItsMesh>(mesh_error));
+    chosen.held_out.cost = 1, other.held_out.cost = 1.2;
+    return rivalry(problem, chosen, other).is_as_good;
+  };
+  EXPECT_FALSE(is_as_good(0.01 * nm));
+  EXPECT_TRUE(is_as_good(0.3 * nm));
+}
+
 std::string between(const std::string& experiment, const char* there, const char* here) {
   return experiment + ": there the two differ by up to " + there +
          " times the noise of a sample, in these data by " + here;

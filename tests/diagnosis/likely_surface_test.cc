@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "diagnosis/choose/evidence.h"
 #include "diagnosis/choose/held_out.h"
 #include "diagnosis/fit/likely_surface.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -129,6 +130,25 @@ TEST(LikelySurface_analytic, the_interval_of_a_compliance_is_that_of_generalised
   EXPECT_GE(held, 0.91 * draws);
   EXPECT_LE(held, 0.99 * draws);
   EXPECT_NEAR(std::sqrt(squares / stated), 1, 0.15);
+}
+
+/// A set that came in from a larger one, with values that another surface would need.
+TEST(LikelySurface_behaviour, sets_are_compared_where_their_fits_have_settled) {
+  const double compliance = 8 * nm / 3e-3;
+  const FitProblem problem = pressed_on({1.2, -0.7, 0.9}, compliance, 3);
+  SearchResult result;
+  result.alone.fit = fit_explanation(problem, {});
+  result.admissible = 10;
+  Candidate settled;
+  settled.fit = finished(problem, fit_explanation(problem, {&effect_of("instrument_compliance")}));
+  cost_explanation(settled, problem, LawErrors(problem.samples), result.alone.fit);
+  Candidate begun = settled;
+  begun.fit.values[0] *= 1.5;
+  begun.fit.surface = {-1, -2, 1};
+  result.candidates = {begun};
+  rescore(result, problem);
+  EXPECT_NEAR(result.candidates[0].least_cost(), settled.least_cost(), 1);
+  EXPECT_NEAR(result.candidates[0].fit.values[0] / settled.fit.values[0], 1, 0.05);
 }
 
 TEST(LikelySurface_behaviour, data_kept_out_are_predicted_on_the_surface_that_the_rest_shows) {

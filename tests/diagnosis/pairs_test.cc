@@ -1,6 +1,10 @@
 // Pairs of which one effect explains nearly all of the mismatch, and the other most of what is left.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "diagnosis/conceal/concealed_recording.h"
 #include "diagnosis/diagnose.h"
@@ -11,23 +15,33 @@
 namespace asperity {
 namespace {
 
-void expect_adhesion_and_compliance(double noise, unsigned seed) {
-  const ConcealedRecording concealed =
-      conceal({Motion::normal, {"adhesion", "instrument_compliance"}, noise, seed, ""});
+/// `first`, `second`: in the order of the alphabet; `of_law`: those whose parameters are the catalogue's.
+void expect_pair(const std::string& first, const std::string& second, double noise, unsigned seed,
+                 const std::vector<std::string>& of_law) {
+  const ConcealedRecording concealed = conceal({Motion::normal, {first, second}, noise, seed, ""});
   const Diagnosis d = diagnose(concealed.recording);
   ASSERT_EQ(d.left_out.size(), 2u) << diagnosis_json(d);
   EXPECT_NE(d.verdict, Verdict::ambiguous);
+  EXPECT_EQ(std::min(d.left_out[0].id, d.left_out[1].id), first) << diagnosis_json(d);
+  EXPECT_EQ(std::max(d.left_out[0].id, d.left_out[1].id), second) << diagnosis_json(d);
   for (const DiagnosedEffect& effect : d.left_out)
     for (const TrueEffect& truth : concealed.truth.effects)
-      if (truth.id == effect.id)
+      if (truth.id == effect.id && std::find(of_law.begin(), of_law.end(), truth.id) != of_law.end())
         for (const DiagnosedParameter& parameter : effect.parameters)
           if (truth.parameters.count(parameter.name)) {
             EXPECT_LE(parameter.low, truth.parameters.at(parameter.name).value) << parameter.name;
             EXPECT_GE(parameter.high, truth.parameters.at(parameter.name).value) << parameter.name;
           }
-  EXPECT_TRUE((d.left_out[0].id == "adhesion" && d.left_out[1].id == "instrument_compliance") ||
-              (d.left_out[1].id == "adhesion" && d.left_out[0].id == "instrument_compliance"))
-      << diagnosis_json(d);
+}
+
+void expect_adhesion_and_compliance(double noise, unsigned seed) {
+  expect_pair("adhesion", "instrument_compliance", noise, seed, {"adhesion", "instrument_compliance"});
+}
+
+TEST(Pairs_other_code, a_drift_beside_asperities_does_not_mend_their_law) {
+  // The challenge's number 45 of seed 140900: of what the simulation misses the drift is 1.4 %, but no layer
+  // gives way in a hold. (Asperities on rings over a half-space: their length comes out a tenth too large.)
+  expect_pair("roughness_compliance", "thermal_drift", 0.005, 140945, {"thermal_drift"});
 }
 
 TEST(Pairs_other_code, a_compliance_is_named_beside_the_adhesion_that_hides_it) {
