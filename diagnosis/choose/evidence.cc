@@ -68,13 +68,14 @@ void settle_on_surface(Candidate& candidate, const FitProblem& problem, const La
 
 /// Sets that may win, or come near, once they are settled.
 void settle_near_best(SearchResult& result, const FitProblem& problem, const LawErrors& laws) {
-  constexpr double near = 40;
+  constexpr double near = 25;
+  constexpr std::size_t most = 12;
   if (!problem.correction || problem.correction->surface_errors().empty() || result.candidates.empty())
     return;
   const double least = std::max(result.alone.score, result.candidates.front().score) - near;
   settle_on_surface(result.alone, problem, laws, result.alone.fit);
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < result.candidates.size(); ++i)
+  for (std::size_t i = 0; i < std::min(most, result.candidates.size()); ++i)
     if (result.candidates[i].score > least)
       settle_on_surface(result.candidates[i], problem, laws, result.alone.fit);
   score_all(result, problem);
