@@ -9,6 +9,7 @@
 #include "app/case_file.h"
 #include "app/driven_case.h"
 #include "app/inputs_hash.h"
+#include "app/refused_cases.h"
 #include "app/relaxing_case.h"
 #include "app/solved_motion.h"
 #include "app/study_runner.h"
@@ -67,17 +68,6 @@ FiniteElementModel::FiniteElementModel(const fs::path& file, const std::vector<s
                      ", and --case takes cases of one motion, which it drives as was recorded; set Type = "
                      "normal");
   refuse_what_relaxes_besides(input_, file);
-}
-
-void FiniteElementModel::refuse_for_normal_recordings() const {
-  if (input_.experiment.type != Motion::normal)
-    throw InputError(file_.string() + ": Experiment/Type is " + name_of(input_.experiment.type) +
-                     ", and the recording is of normal contact; set Type = normal");
-  if (fem::work_of_adhesion(input_.interface).opening > 0 || input_.interface.attraction_force > 0)
-    throw InputError(
-        file_.string() +
-        ": for recordings of normal contact --case takes cases without adhesion so far; set "
-        "Interface/Adhesion law = dugdale, Work of adhesion = 0 J/m^2 and Attraction force = 0 N");
 }
 
 SimulatedBodies FiniteElementModel::bodies() const {
@@ -207,7 +197,7 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
 std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChange>& changes,
                                                       const std::vector<LoadingProtocol>& protocols,
                                                       const EnoughOfIt& enough) {
-  refuse_for_normal_recordings();
+  refuse_for_normal_recordings(input_, file_);
   Study study = empty_study();
   std::vector<Asked> asked;
   for (const LoadingProtocol& protocol : protocols) {

@@ -67,7 +67,6 @@ class FiniteElementModel : public ForwardModel {
   /// A solution at hand of the same contact that was pressed as far or further, in enough steps; empty: none.
   std::filesystem::path pressed_further(const Settings& driven, const LoadingProtocol& protocol) const;
   Study empty_study() const;
-  void refuse_for_normal_recordings() const;
   std::vector<SolvedMotion> move_once(const std::vector<CaseChange>& changes,
                                       const std::vector<MotionProtocol>& protocols, bool must_end);
   /// Why a solution that took so many seconds ends; empty: it goes on.

@@ -2,8 +2,6 @@
 // loading, and relaxes around that solution.
 #pragma once
 
-#include <filesystem>
-
 #include "core/case.h"
 #include "core/parameter_file.h"
 #include "core/relaxing_modulus.h"
@@ -12,9 +10,6 @@ namespace asperity {
 
 /// Of its shear modulus; a share of 0: it does not relax.
 RelaxingPart relaxation_of(const BodyInput& body);
-
-/// Throws InputError for a case that relaxes and does what its law does not hold for, naming the file.
-void refuse_what_relaxes_besides(const CaseInput& input, const std::filesystem::path& file);
 
 /// Sets the entries of the bodies that relax to none.
 void leave_out_relaxation(Settings& settings, const CaseInput& input);

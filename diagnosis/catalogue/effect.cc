@@ -37,6 +37,9 @@ std::string why_without_form(const Effect& effect, const Experiment& experiment)
   });
   if (experiment.case_relaxes() && is_law_of_contact && effect.values_in_case(experiment).empty())
     return "a body of the case relaxes, and its law is one of bodies that do not";
+  const bool attracts = std::find(slots.begin(), slots.end(), "attraction") != slots.end();
+  if (experiment.case_attracts() && is_law_of_contact && !attracts)
+    return "the surfaces of the case attract, and its law is one of surfaces that do not";
   return "";
 }
 

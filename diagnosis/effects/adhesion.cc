@@ -87,14 +87,26 @@ class Adhesion : public Effect {
       transition.low = least;
       transition.starts = {least, 0.3, 0.6, 0.95};
     }
-    return {{"pull_off_force",
-             "N",
-             "h",
-             1e-5 * f,
-             10 * f,
-             true,
-             {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}},
-            transition};
+    EffectParameter force{"pull_off_force",
+                          "N",
+                          "h",
+                          1e-5 * f,
+                          10 * f,
+                          true,
+                          {0.001 * f, 0.004 * f, 0.015 * f, 0.06 * f, 0.3 * f}};
+    if (const std::vector<double> of_case = values_in_case(e); !of_case.empty()) {
+      force.starts.push_back(std::clamp(of_case[0], force.low, force.high));
+      transition.starts.push_back(std::clamp(of_case[1], transition.low, transition.high));
+      force.no_effect = of_case[0];
+    }
+    return {force, transition};
+  }
+  std::vector<double> values_in_case(const Experiment& e) const override {
+    if (!e.case_attracts() || e.case_work_of_separation > e.case_work_of_adhesion) return {};
+    const double work = e.case_work_of_adhesion,
+                 transition = transition_of_lambda(lambda_of_range(e, work, e.case_adhesion_range));
+    const auto branch = maugis_branch(lambda_of_transition(transition));
+    return {branch->pull_off() * M_PI * work * e.radius, transition};
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
@@ -103,7 +115,9 @@ class Adhesion : public Effect {
     const double lambda = lambda_of_transition(p[1]);
     const auto branch = maugis_branch(e.by_finite_elements ? resolvable_lambda(e, p[0], lambda) : lambda);
     const double work = p[0] / (branch->pull_off() * M_PI * e.radius);
-    return dugdale_in_case(e, work, range_of_attraction(e, work, branch->lambda()));
+    auto changes = dugdale_in_case(e, work, range_of_attraction(e, work, branch->lambda()));
+    if (e.case_attracts()) changes.push_back({"Interface/Work of adhesion on separation", work, "J/m^2"});
+    return changes;
   }
   double opening_distance(const Experiment& e, const double* p) const override {
     const MaugisContact contact(e.hertz(), p[0], p[1]);

@@ -106,22 +106,32 @@ class AdhesionHysteresis : public Effect {
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double work = e.largest_force / (1.5 * M_PI * e.radius);
-    return {{"work_closing",
-             "J/m^2",
-             "w gained on closing",
-             1e-7 * work,
-             10 * work,
-             true,
-             {1e-4 * work, 0.01 * work, 0.1 * work},
-             true},
-            {"work_opening",
-             "J/m^2",
-             "w spent on opening",
-             1e-6 * work,
-             30 * work,
-             true,
-             {0.01 * work, 0.1 * work, 0.5 * work}},
-            transition()};
+    EffectParameter closing{"work_closing",
+                            "J/m^2",
+                            "w gained on closing",
+                            1e-7 * work,
+                            10 * work,
+                            true,
+                            {1e-4 * work, 0.01 * work, 0.1 * work},
+                            true},
+        opening{"work_opening",
+                "J/m^2",
+                "w spent on opening",
+                1e-6 * work,
+                30 * work,
+                true,
+                {0.01 * work, 0.1 * work, 0.5 * work}};
+    if (e.case_attracts()) {
+      closing.starts.push_back(std::clamp(e.case_work_of_adhesion, closing.low, closing.high));
+      opening.starts.push_back(std::clamp(e.case_work_of_separation, opening.low, opening.high));
+      opening.no_effect = e.case_work_of_separation;
+    }
+    return {closing, opening, transition()};
+  }
+  std::vector<double> values_in_case(const Experiment& e) const override {
+    const double closing = e.case_work_of_adhesion, opening = e.case_work_of_separation;
+    if (!e.case_attracts() || !(opening > closing)) return {};
+    return {closing, opening, transition_of_lambda(lambda_of_range(e, opening, e.case_adhesion_range))};
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }

@@ -66,8 +66,12 @@ class Capillary : public Effect {
              {std::max(0.03 * range, least), std::max(0.1 * range, 1.5 * least),
               std::max(0.3 * range, 2 * least)}}};
   }
-  EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
-  std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
+  EntersBy enters_by(const Experiment& e) const override {
+    return e.case_attracts() ? EntersBy::reduced_law_only : EntersBy::finite_elements;
+  }
+  std::string why_not_by_finite_elements(const Experiment& e) const override {
+    return e.case_attracts() ? "the case attracts already, by a law that a bridge would add to" : "";
+  }
   /// A suction that is constant out to the rupture distance: h = 2 pi R w, as of any attraction whose range
   /// is long (Derjaguin 1934; Maugis & Gauthier-Manuel 1994).
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {

@@ -31,6 +31,12 @@ std::vector<std::string> used_in(Motion mode, const SimulationChoice& choice) {
   return {};
 }
 
+/// Of several such the set's replaces the case's.
+bool attracts(const Effect& effect) {
+  const auto& slots = effect.description().slots;
+  return std::find(slots.begin(), slots.end(), "attraction") != slots.end();
+}
+
 }  // namespace
 
 double FreeParameter::coordinate(double value) const {
@@ -70,7 +76,9 @@ Explanation::Explanation(const Experiment& experiment, const SimulationChoice& c
   });
   for (const auto& effect : effect_catalogue())
     if (experiment.by_finite_elements && !effect->values_in_case(experiment).empty() &&
-        std::find(effects_.begin(), effects_.end(), effect.get()) == effects_.end())
+        std::find(effects_.begin(), effects_.end(), effect.get()) == effects_.end() &&
+        !(attracts(*effect) && std::any_of(effects_.begin(), effects_.end(),
+                                           [](const Effect* other) { return attracts(*other); })))
       as_in_case_.push_back({effect.get(), effect->values_in_case(experiment)});
   std::stable_sort(as_in_case_.begin(), as_in_case_.end(), [](const AsInCase& a, const AsInCase& b) {
     return a.effect->description().order < b.effect->description().order;
@@ -107,8 +115,15 @@ Mechanics Explanation::mechanics(const std::vector<double>& values) const {
   std::size_t of_case = 0;
   const auto assemble_case_up_to = [&](int order) {
     for (; of_case < as_in_case_.size() && as_in_case_[of_case].effect->description().order <= order;
-         ++of_case)
-      as_in_case_[of_case].effect->assemble(m, as_in_case_[of_case].values.data());
+         ++of_case) {
+      // On another radius the same work of adhesion is another pull-off force.
+      Experiment on_radius = experiment_;
+      on_radius.radius = m.geometry.radius;
+      const auto values = on_radius.radius == experiment_.radius
+                              ? as_in_case_[of_case].values
+                              : as_in_case_[of_case].effect->values_in_case(on_radius);
+      as_in_case_[of_case].effect->assemble(m, values.data());
+    }
   };
   for (std::size_t e = 0; e < effects_.size(); ++e) {
     assemble_case_up_to(effects_[e]->description().order - 1);

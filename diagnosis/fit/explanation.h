@@ -35,7 +35,15 @@ class Explanation {
               std::vector<const Effect*> effects,
               std::shared_ptr<const BranchCorrection> correction = nullptr);
 
+  /// Of an effect that the case has already and the set does not change, with its values there.
+  struct AsInCase {
+    const Effect* effect;
+    std::vector<double> values;
+  };
+
   const std::vector<const Effect*>& effects() const { return effects_; }
+  /// In the order of assembly.
+  const std::vector<AsInCase>& as_in_case() const { return as_in_case_; }
   const Experiment& experiment() const { return experiment_; }
   /// What finite elements say beyond the reduced laws; null where the laws are the simulation.
   const std::shared_ptr<const BranchCorrection>& correction() const { return correction_; }
@@ -54,14 +62,8 @@ class Explanation {
  private:
   Experiment experiment_;
   SimulationChoice choice_;
-  /// Of an effect that the case has already and the set does not change, with its values there.
-  struct AsInCase {
-    const Effect* effect;
-    std::vector<double> values;
-  };
-
   std::vector<const Effect*> effects_;  ///< in the order of assembly
-  std::vector<AsInCase> as_in_case_;    ///< in the order of assembly
+  std::vector<AsInCase> as_in_case_;
   std::vector<FreeParameter> parameters_;
   std::shared_ptr<const BranchCorrection> correction_;
 };

@@ -105,6 +105,13 @@ SolvedCaseMapping::Trial SolvedCaseMapping::trial_of(const FitProblem& problem, 
     trial.returns_on_another_curve = trial.returns_on_another_curve || returns;
     trial.yields = trial.yields || (returns && opening == 0);
   }
+  for (const auto& of_case : fit.explanation->as_in_case()) {
+    const double opening = of_case.effect->opening_distance(problem.experiment, of_case.values.data());
+    if (!(opening > 0)) continue;
+    trial.opening = std::max(trial.opening, opening);
+    trial.returns_on_another_curve =
+        trial.returns_on_another_curve || of_case.effect->returns_on_another_curve();
+  }
   constexpr double a_little_further = 1.03;
   if (trial.opening > 0) trial.approach = a_little_further * loaded_displacement(problem, fit, largest_force);
   return trial;

@@ -19,9 +19,7 @@ using Effects = std::vector<const Effect*>;
 constexpr std::size_t most_turning_points = 6;
 
 bool case_yields(const Experiment& experiment) {
-  for (const auto& effect : effect_catalogue())
-    if (effect->returns_on_another_curve() && !effect->values_in_case(experiment).empty()) return true;
-  return false;
+  return std::isfinite(std::min(experiment.particle_yield, experiment.substrate_yield));
 }
 
 /// What a diagnosis says of it.
@@ -164,15 +162,19 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.experiment.substrate_relaxation = bodies.substrate_relaxation;
   problem.experiment.case_rms = bodies.substrate_rms;
   if (is_lateral_) return correct_lateral(problem);
-  const Mechanics alone = Explanation(problem.experiment, problem.choice, {}).mechanics({});
+  ModelFit as_it_is;
+  as_it_is.explanation =
+      std::make_shared<Explanation>(problem.experiment, problem.choice, std::vector<const Effect*>{});
+  const Mechanics alone = as_it_is.explanation->mechanics({});
   protocols_ = protocols_of(problem.samples);
   if (bodies.unload_steps > 0)
     problem.samples.snap_width = 0.5 * recorded_in_contact(problem, Pressed::or_pulled) / bodies.unload_steps;
-  const auto solved = solve(problem, {}, nullptr);
+  const Trial trial = trial_of(problem, as_it_is, protocols_.list.front().largest_force);
+  const auto solved = solve(problem, trial, nullptr);
   before_ = solved.front().source;
   error_ = solved.front().displacement_error;
   if (!bodies.is_smooth) solve_on_other_surfaces();
-  problem.correction = difference_to(solved, protocols_, alone, error_, surface_errors_);
+  problem.correction = correction_by(solved, trial, alone);
 }
 
 std::vector<CaseChange> SolvedCaseMapping::changes_of(const Experiment& experiment, const ModelFit& fit) {

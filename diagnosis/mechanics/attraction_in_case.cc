@@ -16,11 +16,16 @@ double resolving_spacing(const Experiment& e, double work, double range, double 
   return spacing;
 }
 
+constexpr double lambda_of_jkr = 10, lambda_of_fit = 0.924;
+
 }  // namespace
 
 double lambda_of_transition(double alpha) {
-  constexpr double lambda_of_jkr = 10, lambda_of_fit = 0.924;
   return -lambda_of_fit * std::log1p(-alpha * -std::expm1(-lambda_of_jkr / lambda_of_fit));
+}
+
+double transition_of_lambda(double lambda) {
+  return std::min(1.0, std::expm1(-lambda / lambda_of_fit) / std::expm1(-lambda_of_jkr / lambda_of_fit));
 }
 
 std::shared_ptr<const MaugisBranch> maugis_branch(double lambda) {
@@ -37,6 +42,10 @@ std::shared_ptr<const MaugisBranch> maugis_branch(double lambda) {
 double range_of_attraction(const Experiment& e, double work, double lambda) {
   const double stiffness = 4.0 / 3 * e.reduced_modulus();
   return 2 * work / lambda * std::cbrt(e.radius / (M_PI * work * stiffness * stiffness));
+}
+
+double lambda_of_range(const Experiment& e, double work, double range) {
+  return range_of_attraction(e, work, 1) / range;
 }
 
 /// The zone is 3 A0/(4 lambda^2), A0: Maugis' unit of radius.

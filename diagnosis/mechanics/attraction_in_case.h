@@ -17,6 +17,9 @@ namespace asperity {
 /// alpha scaled so that 1 is 10 and every alpha has its own lambda.
 double lambda_of_transition(double alpha);
 
+/// Its inverse, no more than 1.
+double transition_of_lambda(double lambda);
+
 /// Maugis' solution of that lambda [-]; the last few asked for in this thread are kept, for a fit changes it
 /// seldom, and to see what a small change makes.
 std::shared_ptr<const MaugisBranch> maugis_branch(double lambda);
@@ -24,6 +27,9 @@ std::shared_ptr<const MaugisBranch> maugis_branch(double lambda);
 /// Range h0 of a work of adhesion w [J/m^2] with Maugis' lambda [-] (Maugis 1992): sigma0 = w/h0,
 /// lambda = 2 sigma0 (R/(pi w K^2))^(1/3) [m].
 double range_of_attraction(const Experiment& experiment, double work, double lambda);
+
+/// Its inverse [-].
+double lambda_of_range(const Experiment& experiment, double work, double range);
 
 /// Largest lambda up to `lambda` whose zone takes no more than thirty cells over the radius of the pressed
 /// contact: from there to the limit of Johnson, Kendall & Roberts the pull-off force changes by a twelfth,

@@ -67,6 +67,10 @@ struct Experiment {
   }
   /// A body of the case relaxes with time.
   bool case_relaxes() const { return particle_relaxation.share > 0 || substrate_relaxation.share > 0; }
+  /// The case is pressed, and its surfaces attract each other over a range.
+  bool case_attracts() const {
+    return mode == Motion::normal && case_adhesion_range > 0 && case_work_of_separation > 0;
+  }
   /// E* of the pair [Pa].
   double reduced_modulus() const { return asperity::reduced_modulus(particle, substrate); }
   Hertz hertz() const { return {reduced_modulus(), radius}; }

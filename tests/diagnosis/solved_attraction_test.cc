@@ -33,18 +33,23 @@ double modulus() { return reduced_modulus(sphere, plane); }
 class AttractingStandIn : public ForwardModel {
  public:
   int attracting = 0;
+  double own_work = 0, own_opening = 0, own_range = 0;  ///< of the case
   double case_spacing = 0, least_cells_over_zone = std::numeric_limits<double>::infinity();
 
   SimulatedBodies bodies() const override {
     SimulatedBodies bodies{sphere, plane, sphere_radius};
     bodies.spacing = case_spacing;
+    bodies.work_of_adhesion = own_work;
+    bodies.work_of_separation = std::max(own_work, own_opening);
+    bodies.adhesion_range = own_range;
     return bodies;
   }
 
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                     const std::vector<LoadingProtocol>& protocols,
                                     const EnoughOfIt&) override {
-    double work = 0, opening = 0, range = 0, of_radius = sphere_radius, spacing = case_spacing;
+    double work = own_work, opening = own_opening, range = own_range, of_radius = sphere_radius,
+           spacing = case_spacing;
     for (const auto& change : changes) {
       if (change.entry.find("/Film ") != std::string::npos) throw WorkError("this stand-in has no films");
       if (change.entry == "Interface/Work of adhesion on separation") opening = change.value;
@@ -211,6 +216,76 @@ TEST(SolvedAttraction_analytic, two_works_of_adhesion_are_those_on_approach_and_
   EXPECT_NEAR(d.corrected()[0].value / closing, 1, 0.15);
   EXPECT_EQ(d.corrected()[2].entry, "Interface/Work of adhesion on separation");
   EXPECT_NEAR(d.corrected()[2].value / opening, 1, 0.05);
+}
+
+TEST(SolvedAttraction_analytic, a_case_that_attracts_as_recorded_leaves_nothing_out) {
+  const double work = 0.3, range = 1.2 * nm;
+  const MaugisDugdale truth{modulus(), sphere_radius, work, work / range};
+  const double largest = truth.advance({}, 10 * nm).force;
+  const Recording recording = pulled(truth, 10 * nm, 0.003 * largest);
+  AttractingStandIn simulation;
+  simulation.own_work = work, simulation.own_range = range;
+  const Diagnosis same = diagnosed(recording, simulation);
+  EXPECT_EQ(same.verdict, Verdict::no_mismatch) << same.in_words;
+  EXPECT_EQ(simulation.attracting, 1);
+  simulation.own_work = 0.2;
+  const Diagnosis other = diagnosed(recording, simulation);
+  EXPECT_EQ(other.verdict, Verdict::explained) << other.in_words;
+  ASSERT_EQ(other.left_out.size(), 1u) << other.in_words;
+  EXPECT_EQ(other.left_out[0].id, "adhesion");
+  EXPECT_EQ(other.corrected()[0].entry, "Interface/Work of adhesion");
+  EXPECT_NEAR(other.corrected()[0].value / work, 1, 0.03);
+  ASSERT_EQ(other.corrected().size(), 3u);
+  EXPECT_EQ(other.corrected()[2].entry, "Interface/Work of adhesion on separation")
+      << "that of the case would be less than the work on approach";
+  EXPECT_EQ(other.corrected()[2].value, other.corrected()[0].value);
+  const auto bulk = std::find_if(other.not_tried.begin(), other.not_tried.end(),
+                                 [](const UntriedEffect& untried) { return untried.effect == "film"; });
+  ASSERT_NE(bulk, other.not_tried.end());
+  EXPECT_EQ(bulk->why, "the surfaces of the case attract, and its law is one of surfaces that do not");
+}
+
+TEST(SolvedAttraction_analytic, instruments_and_another_radius_are_named_around_a_case_that_attracts) {
+  const double work = 0.3, range = 1.2 * nm, of_radius = 0.7;
+  AttractingStandIn simulation;
+  simulation.own_work = work, simulation.own_range = range;
+  const MaugisDugdale truth{modulus(), sphere_radius, work, work / range},
+      smaller{modulus(), of_radius * sphere_radius, work, work / range};
+  const double largest = truth.advance({}, 10 * nm).force;
+  Recording drifts = pulled(truth, 10 * nm, 0.003 * largest);
+  for (std::size_t i = 0; i < drifts.tables[0].columns["time"].size(); ++i)
+    drifts.tables[0].columns["normal_displacement"][i] += 0.05 * nm * drifts.tables[0].columns["time"][i];
+  const Diagnosis drift = diagnosed(drifts, simulation);
+  EXPECT_EQ(drift.verdict, Verdict::explained) << drift.in_words;
+  ASSERT_EQ(drift.left_out.size(), 1u) << drift.in_words;
+  EXPECT_EQ(drift.left_out[0].id, "thermal_drift");
+  EXPECT_NEAR(drift.left_out[0].parameters[0].value / (0.05 * nm), 1, 0.05);
+  const Diagnosis radius = diagnosed(pulled(smaller, 10 * nm, 0.003 * largest), simulation);
+  EXPECT_EQ(radius.verdict, Verdict::explained) << radius.in_words;
+  ASSERT_EQ(radius.left_out.size(), 1u) << radius.in_words;
+  EXPECT_EQ(radius.left_out[0].id, "effective_radius");
+  EXPECT_NEAR(radius.left_out[0].parameters[0].value / of_radius, 1, 0.03);
+}
+
+TEST(SolvedAttraction_analytic, a_case_of_two_works_as_recorded_leaves_nothing_out) {
+  const double closing = 0.1, opening = 0.5, range = 0.3 * nm;
+  hidden::HystereticTruth truth({modulus(), sphere_radius, closing, closing / range},
+                                {modulus(), sphere_radius, opening, opening / range});
+  const Recording recording = pulled(
+      [&](double d) {
+        const double f = truth.force(d, 0);
+        truth.take(d, 0);
+        return f;
+      },
+      8 * nm, 0.5e-6);
+  AttractingStandIn simulation;
+  simulation.own_work = closing, simulation.own_opening = opening, simulation.own_range = range;
+  const Diagnosis same = diagnosed(recording, simulation);
+  EXPECT_EQ(same.verdict, Verdict::no_mismatch) << same.in_words;
+  simulation.own_opening = closing;
+  const Diagnosis without = diagnosed(recording, simulation);
+  ASSERT_EQ(without.left_out.size(), 1u) << without.in_words;
+  EXPECT_EQ(without.left_out[0].id, "adhesion_hysteresis");
 }
 
 TEST(SolvedAttraction_analytic, electrostatic_attraction_stands_beside_the_solution) {
