@@ -9,7 +9,6 @@
 #include "app/case_file.h"
 #include "app/driven_case.h"
 #include "app/inputs_hash.h"
-#include "app/refused_cases.h"
 #include "app/relaxing_case.h"
 #include "app/solved_motion.h"
 #include "app/study_runner.h"
@@ -197,7 +196,6 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
 std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChange>& changes,
                                                       const std::vector<LoadingProtocol>& protocols,
                                                       const EnoughOfIt& enough) {
-  refuse_for_normal_recordings(input_, file_);
   Study study = empty_study();
   std::vector<Asked> asked;
   for (const LoadingProtocol& protocol : protocols) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/other_surfaces.h"
+#include "app/refused_cases.h"
 #include "app/solved_cases.h"
 #include "app/study.h"
 #include "app/study_summary.h"
@@ -35,6 +36,7 @@ class FiniteElementModel : public ForwardModel {
                      FiniteElementModelOptions options);
 
   SimulatedBodies bodies() const override;
+  void refuse_unless_normal() const override { refuse_for_normal_recordings(input_, file_); }
   /// Throws InputError for a change that the case refuses, WorkError where it cannot be solved.
   std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                     const std::vector<LoadingProtocol>& protocols,

@@ -113,6 +113,8 @@ class ForwardModel {
   virtual ~ForwardModel() = default;
   /// Of the case as it is.
   virtual SimulatedBodies bodies() const = 0;
+  /// Throws InputError where the case is none for recordings of normal contact.
+  virtual void refuse_unless_normal() const {}
   /// Solves the case with these changes under each of the protocols; what was solved before is reused. A
   /// solution ends early where `enough` (asked after its steps; none: never) says so, or where it would take
   /// too long. Throws WorkError where a case cannot be solved at all.

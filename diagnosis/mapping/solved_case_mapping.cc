@@ -162,6 +162,7 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   problem.experiment.substrate_relaxation = bodies.substrate_relaxation;
   problem.experiment.case_rms = bodies.substrate_rms;
   if (is_lateral_) return correct_lateral(problem);
+  model_.refuse_unless_normal();
   ModelFit as_it_is;
   as_it_is.explanation =
       std::make_shared<Explanation>(problem.experiment, problem.choice, std::vector<const Effect*>{});

@@ -1,4 +1,5 @@
-// asperity diagnose --case where the truth is the solver's own body that relaxes, on another mesh.
+// asperity diagnose --case where the truth is the solver's own on another mesh: bodies that relax, surfaces
+// that attract.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,23 +117,60 @@ TEST(DiagnoseCaseNightly_other_code, a_body_that_relaxes_is_named_and_the_correc
       << again.output;
 }
 
-TEST(DiagnoseRelaxingCase_behaviour, what_its_law_does_not_hold_for_is_refused_in_a_sentence) {
+/// The case refused for a short recording of normal contact, for a reason that holds `why`.
+void expect_refused(const std::string& of_polymer, const std::string& changes, const char* why) {
   const test::TemporaryFolder folder;
   std::string rows = "run,segment,time [s],normal_displacement [m],normal_force [N]\n";
   for (int k = 0; k < 24; ++k) rows += printed("1,load,%d,%.3e,%.3e\n", k, k * 1e-9, k * 1e-6);
-  const std::string recording = recording_of(folder, rows).string();
+  const auto file = folder.write("case.prm", polymer_case(of_polymer, " set Normal load = 50 uN\n", 50));
+  const auto outcome = test::call("diagnose " + recording_of(folder, rows).string() + " --case " +
+                                  file.string() + changes + " --output " + (folder.path / "out").string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.output.find(why), std::string::npos) << outcome.output;
+}
+
+TEST(DiagnoseRelaxingCase_behaviour, what_its_law_does_not_hold_for_is_refused_in_a_sentence) {
   const std::string relaxes = " set Relaxing share = 0.5\n set Relaxation time = 8 s\n";
-  const auto file = folder.write("case.prm", polymer_case(relaxes, " set Normal load = 50 uN\n", 50));
-  const auto expect_refused = [&](const std::string& more, const char* why) {
-    const auto outcome = test::call("diagnose " + recording + " --case " + file.string() + more +
-                                    " --output " + (folder.path / "out").string());
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_NE(outcome.output.find(why), std::string::npos) << outcome.output;
-  };
-  expect_refused(" --set 'Substrate/Relaxing share=0.2' --set 'Substrate/Relaxation time=1 s'",
+  expect_refused(relaxes, " --set 'Substrate/Relaxing share=0.2' --set 'Substrate/Relaxation time=1 s'",
                  "both bodies relax with time");
-  expect_refused(" --set 'Substrate/Yield stress=5 GPa'",
+  expect_refused(relaxes, " --set 'Substrate/Yield stress=5 GPa'",
                  "only where no body yields and surfaces do not attract");
+}
+
+TEST(DiagnoseAttractingCase_behaviour, what_is_not_solved_for_a_recording_is_refused_in_a_sentence) {
+  const std::string attracts =
+      " --set 'Interface/Work of adhesion=0.1 J/m^2' --set 'Interface/Adhesion range=1 nm'";
+  expect_refused("", attracts,
+                 "what another realisation of a generated Topography changes in it is not known");
+  expect_refused("", attracts + " --set 'Particle/Yield stress=0.1 GPa'",
+                 "attraction between bodies that yield is not solved for a recording yet");
+  expect_refused("", " --set 'Interface/Attraction force=1 uN'", "--case takes attraction over a range");
+}
+
+/// The challenge's history of attraction on a mesh of 14 nm, and its own case on one of 20 nm.
+TEST(DiagnoseCaseNightly_other_code, a_case_that_attracts_as_recorded_leaves_nothing_out) {
+  const test::TemporaryFolder folder;
+  const std::string solved = ASPERITY_SOURCE_DIR "/diagnosis/challenge/data/adhesion_0.3";
+  const auto hidden = folder.path / "hidden";
+  const auto concealed =
+      test::call("conceal --effect adhesion --mode normal --noise 0.01 --seed 4 --from-case " + solved +
+                 " --output " + hidden.string());
+  ASSERT_EQ(concealed.status, 0) << concealed.output;
+  const auto said_of = [&](const std::string& changes, const char* output) {
+    const auto outcome = test::call("diagnose " + hidden.string() + " --case " + solved +
+                                    "/case.prm --set 'Mesh/Interface spacing=20 nm'" + changes +
+                                    " --output " + (folder.path / output).string());
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    return nlohmann::json::parse(read_file(folder.path / output / "diagnosis.json"));
+  };
+  EXPECT_EQ(said_of("", "same")["verdict"], "no_mismatch");
+  const auto other = said_of(
+      " --set 'Interface/Work of adhesion=0.2 J/m^2' --set 'Interface/Work of adhesion on separation=0'",
+      "other");
+  ASSERT_EQ(other["left_out"].size(), 1u) << other.dump();
+  EXPECT_EQ(other["left_out"][0]["effect"], "adhesion");
+  EXPECT_NEAR(other["forward_model"]["corrected"]["Interface/Work of adhesion"]["value"].get<double>(), 0.3,
+              0.015);
 }
 
 }  // namespace
