@@ -262,13 +262,13 @@ TEST(DiagnoseCase_behaviour, what_it_cannot_take_is_refused) {
   refused(" --study " + recording.string(), "no solved case of normal contact");
   refused(" --study " + (folder.path / "nowhere").string(), "there is no folder");
   refused(" --set 'Mesh/Layers=3'", "name it with --case CASE.prm");
-  refused(" --case " + file.string() +
-              " --set 'Interface/Work of adhesion=50 mJ/m^2' --set 'Interface/Adhesion range=1 nm'",
-          "cases without adhesion so far");
+  refused(" --case " + file.string() + " --set 'Interface/Attraction force=1 uN'",
+          "--case takes attraction over a range");
   refused(" --case " + file.string() + " --set 'Experiment/Type=torsion' --set 'Experiment/Angle=1 mrad'",
           "Experiment/Type is torsion");
   refused(" --case " + file.string() +
-              " --set 'Particle/Relaxing share=0.3' --set 'Particle/Relaxation time=1 s'",
+              " --set 'Particle/Relaxing share=0.3' --set 'Particle/Relaxation time=1 s'"
+              " --set 'Particle/Yield stress=inf' --set 'Substrate/Yield stress=1 GPa'",
           "a body relaxes with time");
   refused(" --set 'Particle/Radius=1 um'", "name it with --case");
   refused(" --case " + (folder.path / "none.prm").string(), "none.prm");
