@@ -54,7 +54,7 @@ Rivalry rivalry(const FitProblem& problem, const JudgedSet& chosen, const Judged
   constexpr double same = 2;      // deviations by which all samples together would tell them apart
   const double difference = chosen.candidate->score - other.candidate->score;
   // A solution that is off by more than noise predicts no set better than by a part of that.
-  constexpr double part_of_mesh = 0.5;
+  constexpr double part_of_mesh = 0.25;
   const double by_mesh = part_of_mesh * part_of_mesh * mesh_over_noise(problem, chosen.fit);
   const bool predicts_as_well = other.held_out.cost <= equal * std::max(1.0, chosen.held_out.cost) + by_mesh;
   const bool is_ahead = would_be_ahead(*other.candidate, *chosen.candidate);
