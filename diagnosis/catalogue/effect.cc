@@ -31,13 +31,11 @@ std::string why_without_form(const Effect& effect, const Experiment& experiment)
   if (effect.enters_by(experiment) == EntersBy::reduced_law_only)
     return effect.why_not_by_finite_elements(experiment);
   // What relaxes is the whole contact: an effect that puts another law in its place has none that relaxes.
-  const auto& slots = effect.description().slots;
-  const bool is_law_of_contact = std::any_of(slots.begin(), slots.end(), [](const std::string& slot) {
-    return slot == "normal_law" || slot == "attraction" || slot == "burst";
-  });
+  const EffectDescription& law = effect.description();
+  const bool attracts = law.takes("attraction"),
+             is_law_of_contact = attracts || law.takes("normal_law") || law.takes("burst");
   if (experiment.case_relaxes() && is_law_of_contact && effect.values_in_case(experiment).empty())
     return "a body of the case relaxes, and its law is one of bodies that do not";
-  const bool attracts = std::find(slots.begin(), slots.end(), "attraction") != slots.end();
   if (experiment.case_attracts() && is_law_of_contact && !attracts)
     return "the surfaces of the case attract, and its law is one of surfaces that do not";
   return "";

@@ -3,6 +3,7 @@
 // nothing else knows of it.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <string>
@@ -38,6 +39,9 @@ struct EffectDescription {
   std::vector<std::string> replaces{};
   /// Parts of the mechanics that only one effect can hold at once.
   std::vector<std::string> slots{};
+  bool takes(const std::string& slot) const {
+    return std::find(slots.begin(), slots.end(), slot) != slots.end();
+  }
   /// Effects are put together in this order: geometry, laws, what stands around them.
   int order = 2;
   /// False where the response jumps as a parameter moves (a snap of the contact, an event of slip, comes a

@@ -31,16 +31,14 @@ double excess(const FitProblem& problem, const Candidate& candidate) {
 /// A layer on the surface, of asperities or a film: real ones follow its published laws to some per cent,
 /// which a second effect takes up.
 bool has_layer(const Effects& effects) {
-  return std::any_of(effects.begin(), effects.end(), [](const Effect* effect) {
-    const auto& slots = effect->description().slots;
-    return std::find(slots.begin(), slots.end(), "layer") != slots.end();
-  });
+  return std::any_of(effects.begin(), effects.end(),
+                     [](const Effect* effect) { return effect->description().takes("layer"); });
 }
 
 /// Mean square of values about their means in groups of samples at nearly the same displacement, or force
 /// where that is driven, over their mean square [-]: 0 of what depends on it alone.
 double share_with_history(const Samples& samples, const std::vector<double>& values) {
-  constexpr std::size_t in_group = 24;
+  constexpr std::size_t groups = 32, fewest_in_group = 4;
   double within = 0, all = 0;
   for (const SampleRun& run : samples.runs) {
     std::vector<std::size_t> order;
@@ -52,6 +50,7 @@ double share_with_history(const Samples& samples, const std::vector<double>& val
     };
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return driven(a) < driven(b); });
+    const std::size_t in_group = std::max(fewest_in_group, order.size() / groups);
     for (std::size_t from = 0; from < order.size(); from += in_group) {
       const std::size_t to = std::min(order.size(), from + in_group);
       double sum = 0, squares = 0;

@@ -124,7 +124,6 @@ class AdhesionHysteresis : public Effect {
     if (e.case_attracts()) {
       closing.starts.push_back(std::clamp(e.case_work_of_adhesion, closing.low, closing.high));
       opening.starts.push_back(std::clamp(e.case_work_of_separation, opening.low, opening.high));
-      opening.no_effect = e.case_work_of_separation;
     }
     return {closing, opening, transition()};
   }

@@ -32,10 +32,7 @@ std::vector<std::string> used_in(Motion mode, const SimulationChoice& choice) {
 }
 
 /// Of several such the set's replaces the case's.
-bool attracts(const Effect& effect) {
-  const auto& slots = effect.description().slots;
-  return std::find(slots.begin(), slots.end(), "attraction") != slots.end();
-}
+bool attracts(const Effect& effect) { return effect.description().takes("attraction"); }
 
 }  // namespace
 

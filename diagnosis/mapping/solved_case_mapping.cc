@@ -96,10 +96,9 @@ void SolvedCaseMapping::prepare_relaxing(const Recording& recording) {
                        "the recording has no column time; record it, or leave out Relaxing share "
                        "and Relaxation time");
   remarks_.push_back(
-      "a body of the case relaxes with time: the case is solved as it is right after fast loading, and "
-      "relaxes "
-      "around that solution in the times of the recording (hereditary integral of Lee & Radok 1960, Ting "
-      "1966)");
+      "a body of the case relaxes with time: the case is solved as after fast loading, and relaxes around "
+      "that "
+      "solution in the times of the recording (hereditary integral of Lee & Radok 1960, Ting 1966)");
 }
 
 std::vector<LoadingProtocol> SolvedCaseMapping::asked_for(const FitProblem& problem,
@@ -146,6 +145,29 @@ std::vector<SolvedResponse> SolvedCaseMapping::solve(const FitProblem& problem, 
   return of_protocol;
 }
 
+std::vector<SolvedResponse> SolvedCaseMapping::solved_up_to_largest_force(const FitProblem& problem,
+                                                                          Trial& trial) {
+  // A contact that attracts is driven by displacement, and rough surfaces approach further than the reduced
+  // law says.
+  constexpr int most_tries = 4;
+  constexpr double further = 1.4, nearly = 0.99;
+  for (int i = 1;; ++i) {
+    auto solved = solve(problem, trial, nullptr);
+    const SolvedResponse& response = solved.front();
+    if (!(trial.opening > 0) ||
+        response.force[response.peak] > nearly * protocols_.list.front().largest_force)
+      return solved;
+    if (i == most_tries)
+      throw WorkError(
+          "'" + response.source + "' reaches " +
+          format_quantity(response.force[response.peak], Dimension::force) + " of the recorded " +
+          format_quantity(protocols_.list.front().largest_force, Dimension::force) + " at " +
+          format_quantity(response.displacement[response.peak], Dimension::length) +
+          ", and is not pressed further; compare its Young modulus and Radius with the recording");
+    trial.approach *= further;
+  }
+}
+
 void SolvedCaseMapping::correct(FitProblem& problem) {
   const SimulatedBodies bodies = model_.bodies();
   problem.experiment.by_finite_elements = true;
@@ -170,8 +192,8 @@ void SolvedCaseMapping::correct(FitProblem& problem) {
   protocols_ = protocols_of(problem.samples);
   if (bodies.unload_steps > 0)
     problem.samples.snap_width = 0.5 * recorded_in_contact(problem, Pressed::or_pulled) / bodies.unload_steps;
-  const Trial trial = trial_of(problem, as_it_is, protocols_.list.front().largest_force);
-  const auto solved = solve(problem, trial, nullptr);
+  Trial trial = trial_of(problem, as_it_is, protocols_.list.front().largest_force);
+  const auto solved = solved_up_to_largest_force(problem, trial);
   before_ = solved.front().source;
   error_ = solved.front().displacement_error;
   if (!bodies.is_smooth) solve_on_other_surfaces();

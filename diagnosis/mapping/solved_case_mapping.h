@@ -90,6 +90,9 @@ class SolvedCaseMapping {
   static std::vector<CaseChange> changes_of(const Experiment& experiment, const ModelFit& fit);
   /// One solution for each of the recording's protocols.
   std::vector<SolvedResponse> solve(const FitProblem& problem, const Trial& trial, const EnoughOfIt& enough);
+  /// The case as it is; of surfaces that attract pressed until the largest recorded force is reached, which
+  /// sets the trial's approach. Throws WorkError where it is not.
+  std::vector<SolvedResponse> solved_up_to_largest_force(const FitProblem& problem, Trial& trial);
   /// What a solution in progress is watched for.
   struct Watch {
     const FitProblem& problem;

@@ -173,5 +173,32 @@ TEST(DiagnoseCaseNightly_other_code, a_case_that_attracts_as_recorded_leaves_not
               0.015);
 }
 
+/// Rough by a scan, on the recorded place: half-spaces would need another solver of attraction.
+TEST(DiagnoseCaseNightly_other_code, a_scanned_case_that_attracts_as_recorded_leaves_nothing_out) {
+  const test::TemporaryFolder folder;
+  const std::string at = folder.path.string(),
+                    solver_case = ASPERITY_SOURCE_DIR "/diagnosis/challenge/data/adhesion_0.3/case.prm";
+  const auto done = [](const std::string& command) {
+    const auto outcome = test::call(command);
+    ASSERT_EQ(outcome.status, 0) << outcome.output;
+  };
+  done(
+      "surface generate --rms '1 nm' --size '2.5 um' --pixels 256 --rolloff '400 nm' --cutoff '120 nm' "
+      "--seed 5 "
+      "--output " +
+      at + "/scan.gsf");
+  done("solve " + solver_case + " --set 'Substrate/Topography=scan(" + at + "/scan.gsf, cutoff=120 nm)'" +
+       " --set 'Interface/Work of adhesion=0.1 J/m^2' --set 'Interface/Work of adhesion on separation=0'"
+       " --set 'Interface/Adhesion range=2 nm' --set 'Experiment/Normal approach=7 nm'"
+       " --set 'Experiment/Load steps=16' --set 'Experiment/Retract=5 nm' --output " +
+       at + "/truth");
+  done("conceal --mode normal --noise 0.01 --seed 3 --from-case " + at + "/truth --output " + at +
+       "/recording");
+  done("diagnose " + at + "/recording --case " + at + "/truth/case.prm --set 'Mesh/Interface spacing=20 nm'" +
+       " --output " + at + "/said");
+  const auto said = nlohmann::json::parse(read_file(folder.path / "said" / "diagnosis.json"));
+  EXPECT_EQ(said["verdict"], "no_mismatch") << said.dump();
+}
+
 }  // namespace
 }  // namespace asperity

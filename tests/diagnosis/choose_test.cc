@@ -190,32 +190,6 @@ ModelFit with_values(const FitProblem& problem, const char* effect, std::vector<
   return fit;
 }
 
-/// A contact, and one whose zero is off by a little more or less than its samples tell.
-TEST(JudgedSets_analytic, what_data_cannot_tell_is_as_good_within_odds_of_a_hundred) {
-  const Hertz hertz = test::experiment(Motion::normal).hertz();
-  const FitProblem problem = pressed([&](double d) { return hertz.force(d); });
-  Candidate first, second;
-  first.score = first.score_as_stated = 0;
-  const auto as_good_at = [&](double score, double offset, double as_stated = -10) {
-    second.score = score, second.score_as_stated = as_stated;
-    JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
-        other{&second, with_values(problem, "contact_point_offset", {offset}), {}};
-    chosen.held_out.cost = 1, other.held_out.cost = 1.2;  // predicts worse
-    return rivalry(problem, chosen, other).is_as_good;
-  };
-  // Two deviations of 2 uN over 120 samples of 1 to 60 nm: 0.0023 nm times a stiffness of some 100 kN/m.
-  EXPECT_TRUE(as_good_at(-3, 1e-4 * nm));
-  EXPECT_FALSE(as_good_at(-5, 1e-4 * nm)) << "the odds are more than a hundred";
-  EXPECT_FALSE(as_good_at(-3, 0.1 * nm)) << "these data tell";
-  EXPECT_FALSE(as_good_at(-2, 0.1 * nm)) << "it predicts worse";
-  JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
-      imitates{&second, with_values(problem, "film", {1, 10 * nm}), {}};
-  chosen.held_out.cost = 1, imitates.held_out.cost = 1.2;
-  second.score = -3;
-  EXPECT_FALSE(rivalry(problem, chosen, imitates).is_as_good) << "it has more parameters";
-  EXPECT_TRUE(as_good_at(-8, 0.1 * nm, 1)) << "ahead if all laws were off by what they state";
-}
-
 /// Finite elements that agree with Hertz and state that they may be off by so much.
 class OffByItsMesh : public BranchCorrection {
  public:
@@ -226,22 +200,48 @@ class OffByItsMesh : public BranchCorrection {
   double error_;
 };
 
-/// 0.01 nm are 1 uN at most, half of the noise; 0.3 nm are fifteen deviations.
-TEST(JudgedSets_analytic, a_solution_off_by_more_than_noise_does_not_predict_better_by_noise) {
+/// A contact, and a rival with other log evidence and another zero [m], which predicts worse.
+struct Rival {
+  double score, offset, as_stated = -10, mesh_error = 0;
+};
+bool is_as_good(const Rival& rival) {
   const Hertz hertz = test::experiment(Motion::normal).hertz();
   const FitProblem problem = pressed([&](double d) { return hertz.force(d); });
   Candidate first, second;
   first.score = first.score_as_stated = 0;
-  second.score = -2, second.score_as_stated = -10;
-  const auto is_as_good = [&](double mesh_error) {
-    JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
-        other{&second, with_values(problem, "contact_point_offset", {0.1 * nm}), {}};
-    chosen.fit.explanation = chosen.fit.explanation->with(std::make_shared<OffByItsMesh>(mesh_error));
-    chosen.held_out.cost = 1, other.held_out.cost = 1.2;
-    return rivalry(problem, chosen, other).is_as_good;
-  };
-  EXPECT_FALSE(is_as_good(0.01 * nm));
-  EXPECT_TRUE(is_as_good(0.3 * nm));
+  second.score = rival.score, second.score_as_stated = rival.as_stated;
+  JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
+      other{&second, with_values(problem, "contact_point_offset", {rival.offset}), {}};
+  if (rival.mesh_error > 0)
+    chosen.fit.explanation = chosen.fit.explanation->with(std::make_shared<OffByItsMesh>(rival.mesh_error));
+  chosen.held_out.cost = 1, other.held_out.cost = 1.2;
+  return rivalry(problem, chosen, other).is_as_good;
+}
+
+TEST(JudgedSets_analytic, what_data_cannot_tell_is_as_good_within_odds_of_a_hundred) {
+  // Two deviations of 2 uN over 120 samples of 1 to 60 nm: 0.0023 nm times a stiffness of some 100 kN/m.
+  EXPECT_TRUE(is_as_good({-3, 1e-4 * nm}));
+  EXPECT_FALSE(is_as_good({-5, 1e-4 * nm})) << "the odds are more than a hundred";
+  EXPECT_FALSE(is_as_good({-3, 0.1 * nm})) << "these data tell";
+  EXPECT_FALSE(is_as_good({-2, 0.1 * nm})) << "it predicts worse";
+  EXPECT_TRUE(is_as_good({-8, 0.1 * nm, 1})) << "ahead if all laws were off by what they state";
+}
+
+TEST(JudgedSets_analytic, one_of_more_parameters_that_imitates_is_not_as_good) {
+  const Hertz hertz = test::experiment(Motion::normal).hertz();
+  const FitProblem problem = pressed([&](double d) { return hertz.force(d); });
+  Candidate first, second;
+  first.score = first.score_as_stated = 0, second.score = -3, second.score_as_stated = -10;
+  JudgedSet chosen{&first, with_values(problem, "contact_point_offset", {0}), {}},
+      imitates{&second, with_values(problem, "film", {1, 10 * nm}), {}};
+  chosen.held_out.cost = 1, imitates.held_out.cost = 1.2;
+  EXPECT_FALSE(rivalry(problem, chosen, imitates).is_as_good);
+}
+
+TEST(JudgedSets_analytic, a_solution_off_by_more_than_noise_does_not_predict_better_by_noise) {
+  // 0.01 nm are 1 uN at most, half of the noise; 0.3 nm are fifteen deviations.
+  EXPECT_FALSE(is_as_good({-2, 0.1 * nm, -10, 0.01 * nm}));
+  EXPECT_TRUE(is_as_good({-2, 0.1 * nm, -10, 0.3 * nm}));
 }
 
 std::string between(const std::string& experiment, const char* there, const char* here) {
