@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -74,7 +75,7 @@ class FiniteElementModel : public ForwardModel {
   /// Why a solution that took so many seconds ends; empty: it goes on.
   std::string out_of_time(double seconds) const;
   std::vector<CaseProgress> run(const Study& study, const EnoughOfIt& enough,
-                                const std::vector<std::string>& unchosen) const;
+                                const std::vector<std::string>& unchosen);
   double seconds_spent() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
   }
@@ -84,6 +85,7 @@ class FiniteElementModel : public ForwardModel {
   CaseInput input_;
   FiniteElementModelOptions options_;
   std::chrono::steady_clock::time_point begun_;
+  double longest_ = std::numeric_limits<double>::infinity();  ///< what one of the solutions may take [s]
 };
 
 }  // namespace asperity
