@@ -246,8 +246,9 @@ int ContactSolver::newton_direction(const TangentField* tangent, double spring, 
                                     const Vector<double>& residual, Vector<double>& direction) {
   int iterations = 0;
   if (tractions_.has_adhesion() && convex_steps_left_-- <= 0) {
-    // Attraction that falls with the gap softens; where that makes the matrix indefinite, as in a jump, it is
-    // left out for some steps.
+    // Attraction that falls with the gap softens. Where that makes the matrix indefinite, as in a jump,
+    // conjugate gradients end with what they have; where a preconditioner made of it fails, it is left out
+    // for some steps.
     convex_steps_left_ = 0;
     try {
       system_.linear().update(tractions_.stiffness(false, slip_stiffness_), tangent, spring);

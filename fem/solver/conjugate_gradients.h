@@ -50,7 +50,12 @@ int conjugate_gradients(const MeshLevel& level, const Matrix& matrix, const Prec
     for_entries(count, [=](int i) { p[i] = z[i] + beta * p[i]; });
     matrix.vmult(*product, *direction);
     const double curvature = sum_of_ranks(sum_over_entries(count, [=](int i) { return p[i] * q[i]; }));
-    if (curvature == 0) break;
+    if (curvature <= 0) {
+      // Of an indefinite matrix what is found before it shows is a direction of descent, or the first
+      // direction.
+      if (made == 0) for_entries(count, [=](int i) { solution[i] = p[i]; });
+      break;
+    }
     const double step = now / curvature;
     square = sum_of_ranks(sum_over_entries(count, [=](int i) {
       solution[i] += step * p[i];

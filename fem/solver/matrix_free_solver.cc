@@ -1,8 +1,21 @@
 #include "fem/solver/matrix_free_solver.h"
 
+#include <algorithm>
+
 #include "fem/solver/conjugate_gradients.h"
 
 namespace asperity::fem {
+
+namespace {
+
+/// A preconditioner is to be positive definite, whatever attraction that falls with the gap makes of the
+/// matrix.
+std::vector<RowStiffness> without_softening(std::vector<RowStiffness> rows) {
+  for (RowStiffness& row : rows) row.normal = std::max(0.0, row.normal);
+  return rows;
+}
+
+}  // namespace
 
 MatrixFreeSolver::MatrixFreeSolver(const LinearProblem& problem)
     : level_(problem.level),
@@ -23,7 +36,7 @@ void MatrixFreeSolver::update(const std::vector<RowStiffness>& row_stiffness, co
   interface_.set_stiffness(row_stiffness);
   matrix_.set_tangent(tangent);
   matrix_.set_driven_spring(driven_spring);
-  multigrid_.update(row_stiffness, tangent, driven_spring);
+  multigrid_.update(without_softening(row_stiffness), tangent, driven_spring);
 }
 
 int MatrixFreeSolver::solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const {

@@ -46,4 +46,49 @@ TEST(ConjugateGradients_other_code, iterations_and_solution_are_those_of_deal_ii
   EXPECT_EQ(ours.linfty_norm(), 0);
 }
 
+/// The operator less a stiffness along one vector, which makes it indefinite.
+struct Softened {
+  const HexOperator<double>& matrix;
+  const Vector<double>& along;
+  double stiffness;
+
+  void vmult(Vector<double>& to, const Vector<double>& from) const {
+    matrix.vmult(to, from);
+    to.add(-stiffness * (along * from), along);
+  }
+};
+
+TEST(ConjugateGradients_behaviour, an_indefinite_matrix_gives_a_direction_of_descent_at_once) {
+  ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
+  auto& solver = dynamic_cast<MatrixFreeSolver&>(system.linear());
+  std::vector<RowStiffness> stiffness;
+  for (const double area : system.areas()) stiffness.emplace_back(area * system.reduced_modulus() / 20e-9);
+  constexpr double no_spring = 0;
+  solver.update(stiffness, nullptr, no_spring);
+  const MeshLevel& level = system.level();
+  Vector<double> rhs, along, whole, x, product;
+  for (auto* v : {&rhs, &along, &whole, &x, &product}) level.initialise(*v);
+  for (unsigned i = 0; i < rhs.locally_owned_size(); ++i) {
+    rhs.local_element(i) = 1e-6 * std::sin(0.31 * i);
+    along.local_element(i) = std::cos(0.07 * i);
+  }
+  level.condense(rhs.begin());
+  level.condense(along.begin());
+  constexpr double tolerance = 1e-8;
+  const int iterations =
+      conjugate_gradients(level, solver.matrix(), solver.multigrid(), whole, along, tolerance);
+  // along . A^-1 along: a stiffness of more than its inverse is what the matrix does not have.
+  const double compliance = whole * along;
+  for (const double share : {0.5, 2.0, 1e6}) {
+    const Softened softened{solver.matrix(), along, share / compliance};
+    const int made = conjugate_gradients(level, softened, solver.multigrid(), x, rhs, tolerance);
+    EXPECT_GT(rhs * x, 0) << share;
+    softened.vmult(product, x);
+    product -= rhs;
+    const bool is_solved = product.l2_norm() < 2 * tolerance * rhs.l2_norm();
+    EXPECT_EQ(is_solved, share < 1) << share << " after " << made;
+    EXPECT_LE(made, 2 * iterations) << share;
+  }
+}
+
 }  // namespace

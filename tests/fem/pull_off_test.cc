@@ -241,6 +241,18 @@ TEST(JumpIn_analytic, contact_forms_where_Maugis_has_it) {
   for (const double lambda : {0.3, 1.0}) expect_jump_in(lambda, 8, 1.06, 0.01);
 }
 
+/// A step that jumps from far to a pressed contact meets indefinite matrices on its way. Directions without
+/// the softening of attraction took 74 Newton steps and 1165 of conjugate gradients, those that end where the
+/// matrix shows itself indefinite 35 and 106.
+TEST(JumpIn_regression, a_jump_from_far_to_a_pressed_contact_takes_few_iterations) {
+  AdhesiveSphere s(2, 12, fem::Dugdale::usual_half_ramp);
+  const auto report = s.solver.solve(s.state, 0.4 * s.unit_approach);
+  EXPECT_TRUE(report.converged);
+  EXPECT_TRUE(s.touches());
+  EXPECT_LE(report.newton, 55);
+  EXPECT_LE(report.linear, 300);
+}
+
 TEST(JumpInNightly_analytic, contact_forms_where_Maugis_has_it_from_DMT_to_JKR) {
   for (const double lambda : {0.1, 0.3, 0.5, 0.8, 1.0, 2.0, 3.0}) expect_jump_in(lambda, 12, 1.12, 0.01);
 }
