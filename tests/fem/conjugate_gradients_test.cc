@@ -13,19 +13,30 @@ namespace {
 
 using namespace asperity::fem;
 
-TEST(ConjugateGradients_other_code, iterations_and_solution_are_those_of_deal_ii) {
-  ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
+/// The solver of a contact whose rows are all closed.
+MatrixFreeSolver& with_closed_rows(ContactSystem& system) {
   auto& solver = dynamic_cast<MatrixFreeSolver&>(system.linear());
   std::vector<RowStiffness> stiffness;
   for (const double area : system.areas()) stiffness.emplace_back(area * system.reduced_modulus() / 20e-9);
   constexpr double no_spring = 0;
   solver.update(stiffness, nullptr, no_spring);
+  return solver;
+}
+
+/// Components c sin(w i), as forces of a level.
+void set_forces(const MeshLevel& level, double c, double w, Vector<double>& forces) {
+  for (unsigned i = 0; i < forces.locally_owned_size(); ++i) forces.local_element(i) = c * std::sin(w * i);
+  level.condense(forces.begin());
+}
+
+TEST(ConjugateGradients_other_code, iterations_and_solution_are_those_of_deal_ii) {
+  ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
+  MatrixFreeSolver& solver = with_closed_rows(system);
 
   const MeshLevel& level = system.level();
   Vector<double> rhs, ours, theirs;
   for (auto* v : {&rhs, &ours, &theirs}) level.initialise(*v);
-  for (unsigned i = 0; i < rhs.locally_owned_size(); ++i) rhs.local_element(i) = 1e-6 * std::sin(0.31 * i);
-  level.condense(rhs.begin());
+  set_forces(level, 1e-6, 0.31, rhs);
 
   constexpr double tolerance = 1e-6;
   const int iterations =
@@ -60,20 +71,12 @@ struct Softened {
 
 TEST(ConjugateGradients_behaviour, an_indefinite_matrix_gives_a_direction_of_descent_at_once) {
   ContactSystem system(MPI_COMM_WORLD, asperity::test::small_contact());
-  auto& solver = dynamic_cast<MatrixFreeSolver&>(system.linear());
-  std::vector<RowStiffness> stiffness;
-  for (const double area : system.areas()) stiffness.emplace_back(area * system.reduced_modulus() / 20e-9);
-  constexpr double no_spring = 0;
-  solver.update(stiffness, nullptr, no_spring);
+  MatrixFreeSolver& solver = with_closed_rows(system);
   const MeshLevel& level = system.level();
   Vector<double> rhs, along, whole, x, product;
   for (auto* v : {&rhs, &along, &whole, &x, &product}) level.initialise(*v);
-  for (unsigned i = 0; i < rhs.locally_owned_size(); ++i) {
-    rhs.local_element(i) = 1e-6 * std::sin(0.31 * i);
-    along.local_element(i) = std::cos(0.07 * i);
-  }
-  level.condense(rhs.begin());
-  level.condense(along.begin());
+  set_forces(level, 1e-6, 0.31, rhs);
+  set_forces(level, 1, 0.07, along);
   constexpr double tolerance = 1e-8;
   const int iterations =
       conjugate_gradients(level, solver.matrix(), solver.multigrid(), whole, along, tolerance);
