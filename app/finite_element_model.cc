@@ -177,9 +177,7 @@ std::vector<CaseProgress> FiniteElementModel::run(const Study& study, const Enou
   };
   // A normal case is solved in minutes: one that was broken off is begun again, whatever build began it.
   options.objection_to_resume = [](const auto&, const auto&) { return std::string("is not complete"); };
-  // No single solution takes the time of the others: half of what is left, a quarter of all in any case.
-  constexpr double half = 0.5, quarter = 0.25;
-  longest_ = std::max(half * (options_.seconds - seconds_spent()), quarter * options_.seconds);
+  longest_ = longest_solution(options_.seconds, seconds_spent());
   std::map<fs::path, std::size_t> looked_at;
   // Without the case as it is there is nothing to compare with, whatever it takes.
   if (enough)

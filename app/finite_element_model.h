@@ -2,6 +2,7 @@
 // by its inputs, so that what was solved once is not solved again.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -29,6 +30,13 @@ struct FiniteElementModelOptions {
   double seconds = 30 * 60;  ///< wall time for all solutions but the case's as it is, from the start on [s]
   std::function<void(const std::string&)> say;  ///< receives progress, line by line
 };
+
+/// What one solution may take of the time for all of them, of which so much is spent [s]: half of what is
+/// left for it and for others to come, and a quarter of all in any case.
+inline double longest_solution(double for_all, double spent) {
+  constexpr double half = 0.5, quarter = 0.25;
+  return std::max(half * (for_all - spent), quarter * for_all);
+}
 
 class FiniteElementModel : public ForwardModel {
  public:
