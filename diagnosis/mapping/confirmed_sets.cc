@@ -154,8 +154,10 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::reached(const FitProblem& pro
     answer.part = solved_part(problem.samples, protocols_, solved);
     answer.is_out_of_time = answer.is_out_of_time || response.is_out_of_time;
     answer.may_begin_again = response.ended_early == not_as_expected;
-    answer.in_words = "solved up to " + format_quantity(reach_of(response).force, Dimension::force) + " of " +
-                      format_quantity(protocols_.list.front().largest_force, Dimension::force) + " only (" +
+    const double reach = reach_of(response).force, largest = protocols_.list.front().largest_force;
+    answer.in_words = (reach < largest ? "solved up to " + format_quantity(reach, Dimension::force) + " of " +
+                                             format_quantity(largest, Dimension::force) + " only ("
+                                       : "solved to the largest force and not all the way back (") +
                       response.ended_early + ")";
   }
   return answer;
@@ -280,7 +282,8 @@ void SolvedCaseMapping::judge_on_part(const SearchResult& search, const FitProbl
       candidate.fit.explanation->name() + " was " + answer.in_words + ": on that part " +
       best.explanation->name() +
       (excluded ? printed(" is better by %.3g in log evidence, which excludes it", worse)
-                : printed(" is not clearly better (%.3g in log evidence), which leaves it open", worse)));
+                : printed(" is not clearly better (%.3g in log evidence), which leaves it open", worse)) +
+      (!excluded && answer.is_out_of_time ? "; a longer --minutes solves it further" : ""));
 }
 
 }  // namespace asperity

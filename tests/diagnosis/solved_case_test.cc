@@ -102,7 +102,7 @@ class StandIn : public ForwardModel {
     double low = 0, high = 1e-6;
     for (int i = 0; i < 80; ++i) (force(0.5 * (low + high)) < largest ? low : high) = 0.5 * (low + high);
     SolvedResponse r;
-    if (!all) r.ended_early = "it took too long";
+    if (!all) r.ended_early = "it took too long", r.is_out_of_time = true;
     constexpr int steps = 40;
     for (int i = 0; i <= steps; ++i) add(r, low * i / steps, force(low * i / steps));
     r.peak = steps;
@@ -321,6 +321,7 @@ TEST(SolvedCase_behaviour, what_is_solved_in_part_is_judged_on_that_part_and_sai
   EXPECT_NE(yielding.verdict, Verdict::explained) << yielding.in_words;
   EXPECT_TRUE(says(yielding, "bulk_plasticity was solved up to")) << yielding.in_words;
   EXPECT_TRUE(says(yielding, "it took too long"));
+  EXPECT_TRUE(says(yielding, "which leaves it open; a longer --minutes solves it further"));
 }
 
 /// Generated surfaces on half-spaces, which follow no layer's law exactly, counted from 0.2 % of the load.
