@@ -29,6 +29,13 @@ OverLaws over_laws(const Candidate& candidate, double overdispersion) {
           std::sqrt(squares / sum)};
 }
 
+/// Sets that say the same of these data differ by the machine's rounding alone, which is not to decide what
+/// is named first.
+double beyond_rounding(double score) {
+  constexpr double rounding = 1e-6;  // of a log evidence
+  return std::round(score / rounding);
+}
+
 void score(Candidate& candidate, const Experiment& experiment, std::size_t admissible,
            double overdispersion) {
   const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
@@ -99,8 +106,9 @@ void score_all(SearchResult& result, const FitProblem& problem) {
     score(candidate, experiment, result.admissible, result.overdispersion);
     candidate.where_mended = nullptr;
   }
-  std::stable_sort(result.candidates.begin(), result.candidates.end(),
-                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  std::stable_sort(result.candidates.begin(), result.candidates.end(), [](const auto& a, const auto& b) {
+    return beyond_rounding(a.score) > beyond_rounding(b.score);
+  });
 }
 
 void cost_explanation(Candidate& candidate, const FitProblem& problem, const LawErrors& laws,
