@@ -247,8 +247,8 @@ int ContactSolver::newton_direction(const TangentField* tangent, double spring, 
   int iterations = 0;
   if (tractions_.has_adhesion() && convex_steps_left_-- <= 0) {
     // Attraction that falls with the gap softens. Where that makes the matrix indefinite, as in a jump,
-    // conjugate gradients end with what they have; where a preconditioner made of it fails, it is left out
-    // for some steps.
+    // conjugate gradients end with a direction of descent. Algebraic multigrid of such a matrix may fail: the
+    // softening is then left out for some steps.
     convex_steps_left_ = 0;
     try {
       system_.linear().update(tractions_.stiffness(false, slip_stiffness_), tangent, spring);

@@ -51,8 +51,8 @@ int conjugate_gradients(const MeshLevel& level, const Matrix& matrix, const Prec
     matrix.vmult(*product, *direction);
     const double curvature = sum_of_ranks(sum_over_entries(count, [=](int i) { return p[i] * q[i]; }));
     if (curvature <= 0) {
-      // Of an indefinite matrix what is found before it shows is a direction of descent, or the first
-      // direction.
+      // Negative curvature: the matrix is indefinite. The iterate so far is a direction of descent (Steihaug
+      // 1983), and so is the preconditioned residual.
       if (made == 0) for_entries(count, [=](int i) { solution[i] = p[i]; });
       break;
     }

@@ -31,7 +31,8 @@ class LinearSolver {
 
   /// Preconditioned conjugate gradients from x = 0 until the residual has fallen by the tolerance (or after
   /// most_iterations: an inexact direction is still one of descent; who needs the solution looks at what is
-  /// returned). Constrained entries and ghosts of x are set.
+  /// returned), or until a direction of negative curvature, where the matrix is indefinite: x is then a
+  /// direction of descent and no solution (Steihaug 1983). Constrained entries and ghosts of x are set.
   /// Returns the iterations.
   /// relative_tolerance [-].
   virtual int solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const = 0;

@@ -8,8 +8,8 @@ namespace asperity::fem {
 
 namespace {
 
-/// A preconditioner is to be positive definite, whatever attraction that falls with the gap makes of the
-/// matrix.
+/// Without the negative stiffness of attraction that falls with the gap: the preconditioner stays positive
+/// definite.
 std::vector<RowStiffness> without_softening(std::vector<RowStiffness> rows) {
   for (RowStiffness& row : rows) row.normal = std::max(0.0, row.normal);
   return rows;
