@@ -184,6 +184,18 @@ std::string what_is_left(const Diagnosis& d) {
   return ", which is noise.";
 }
 
+/// Where no solution confirms anything, and one that did not come to its end excludes nothing either.
+std::string left_open_in_words(const Diagnosis& d) {
+  const bool is_one = d.alternatives.size() == 1;
+  std::string names;
+  for (const auto& alternative : d.alternatives)
+    names += (names.empty() ? "" : "; ") + titles(alternative.effects);
+  return "Something was left out. " + std::string(is_one ? "One explanation fits" : "These explanations fit") +
+         " as far as the case could be solved with it: " + names +
+         ". Nothing is named until it is solved to its end. What would tell: " +
+         d.alternatives.front().told_apart_by + ".";
+}
+
 }  // namespace
 
 std::string in_words(const Diagnosis& d) {
@@ -203,6 +215,7 @@ std::string in_words(const Diagnosis& d) {
       return "The simulation left out " + titles(d.left_out) + ", and something more. With what is named " +
              numbers + "; structure remains.";
     case Verdict::ambiguous: {
+      if (d.left_out.empty()) return left_open_in_words(d);
       const double likeliest = d.alternatives.front().probability;
       const auto others = std::count_if(d.alternatives.begin() + 1, d.alternatives.end(), [&](const auto& a) {
         return a.probability * std::exp(as_good) > likeliest;

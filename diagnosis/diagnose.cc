@@ -15,6 +15,7 @@
 #include "diagnosis/fit/likely_surface.h"
 #include "diagnosis/fit/prepared_fit.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
+#include "diagnosis/open_alternatives.h"
 #include "diagnosis/remarks.h"
 
 namespace asperity {
@@ -181,7 +182,10 @@ class Diagnoser {
     result_.remaining = result_.mismatch;
     result_.improved = result_.baseline;
     if (verdict == Verdict::unexplained) remark_all(remarks_on_wave(problem_));
-    if (verdict == Verdict::unexplained && search_.explains())
+    if (verdict == Verdict::unexplained && mapping_)
+      result_.alternatives = alternatives_left_open(problem_, mapping_->left_open());
+    if (!result_.alternatives.empty()) result_.verdict = Verdict::ambiguous;
+    if (result_.verdict == Verdict::unexplained && search_.explains())
       show_nearest();
     else
       compare(baseline_, baseline_);
@@ -218,8 +222,11 @@ class Diagnoser {
     double weight = 1;
     for (const JudgedSet* rival : rivals)
       weight += std::exp(rival->candidate->score - chosen.candidate->score);
+    const auto open = mapping_ ? open_beside(mapping_->left_open(), chosen.fit, clean)
+                               : std::vector<const OpenSet*>{};
+    for (const OpenSet* set : open) weight += set->weight();
     result_.left_out = described_effects(problem_, chosen.fit, 1 / weight);
-    const std::string advice = what_would_show(chosen);
+    const std::string advice = open.empty() ? what_would_show(chosen) : open.front()->told_by;
     bool ambiguous = !advice.empty();
     std::string tells_apart = advice;
     for (const JudgedSet* rival : rivals) {
@@ -235,6 +242,8 @@ class Diagnoser {
       if (beside.is_as_good && tells_apart.empty()) tells_apart = alternative.told_apart_by;
       result_.alternatives.push_back(alternative);
     }
+    for (const OpenSet* set : open)
+      result_.alternatives.push_back(alternative_left_open(problem_, *set, set->weight() / weight));
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;
     if (ambiguous) {
       const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,
@@ -246,7 +255,6 @@ class Diagnoser {
 
   /// What leaves an explanation a candidate though no other does as well; empty: nothing.
   std::string what_would_show(const JudgedSet& chosen) const {
-    if (mapping_ && mapping_->is_incomplete()) return "a case that can be solved with what the remarks name";
     for (const Effect* effect : chosen.fit.explanation->effects())
       if (std::string advice = effect->not_recorded(problem_.experiment); !advice.empty()) return advice;
     return "";

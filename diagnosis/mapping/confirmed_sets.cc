@@ -9,6 +9,7 @@
 #include "diagnosis/choose/evidence.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
+#include "diagnosis/choose/members.h"
 #include "diagnosis/mapping/effects_in_case.h"
 #include "diagnosis/mapping/judged_part.h"
 #include "diagnosis/mapping/recorded_contact.h"
@@ -30,6 +31,9 @@ constexpr double little_to_gain = 1;
 constexpr double excluded_by_part = 4 * as_good;
 /// The same of a solution in progress, from which it begins again with values that its first loads ask for.
 constexpr double surprising = 3;
+/// What tells of a set whose solution failed, and of one that took too long.
+const char* const to_be_solved = "a case that can be solved with what the remarks name";
+const char* const in_more_time = "a longer --minutes, in which it is solved to its end";
 const char* const not_as_expected = "its first loads were not what was expected and ask for other values";
 
 /// The reduced law of the contact, without what measures it and without a correction.
@@ -259,31 +263,38 @@ void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
       best_measurement_ = candidate->fit;
   std::vector<Candidate> kept;
   std::vector<std::pair<Candidate, Confirmation>> partial;
+  std::vector<Candidate> failed;
   for (const Candidate& candidate : search.candidates)
     if (in_case(candidate.fit.explanation->effects(), problem.experiment).empty()) kept.push_back(candidate);
   for (Candidate candidate : wanted) {
     Confirmation answer = confirm_set(candidate, problem);
-    if (answer.state == Confirmation::failed) is_incomplete_ = true;
+    if (answer.state == Confirmation::failed) failed.push_back(candidate);
     if (answer.state == Confirmation::complete) kept.push_back(candidate);
     if (answer.state == Confirmation::partial) partial.emplace_back(candidate, std::move(answer));
   }
   search.candidates = std::move(kept);
   rescore(search, problem);
+  for (const auto& candidate : failed)
+    open_.push_back(open_set(problem, search, candidate.fit, problem.samples, to_be_solved));
   for (const auto& [candidate, answer] : partial) judge_on_part(search, problem, candidate, answer);
 }
 
 void SolvedCaseMapping::judge_on_part(const SearchResult& search, const FitProblem& problem,
                                       const Candidate& candidate, const Confirmation& answer) {
   const ModelFit& best = search.explains() ? search.candidates.front().fit : search.alone.fit;
-  const double worse = worse_on_part(problem, answer.part, candidate.fit, best, search.overdispersion);
+  OpenSet set = open_set(problem, search, candidate.fit, answer.part,
+                         answer.is_out_of_time ? in_more_time : to_be_solved);
+  const double worse = set.behind;
   const bool excluded = worse > excluded_by_part;
-  if (!excluded) is_incomplete_ = true;
+  const bool adds_little = set.holds_more_than(best) && worse > -clear_evidence;
   remarks_.push_back(
       candidate.fit.explanation->name() + " was " + answer.in_words + ": on that part " +
       best.explanation->name() +
-      (excluded ? printed(" is better by %.3g in log evidence, which excludes it", worse)
-                : printed(" is not clearly better (%.3g in log evidence), which leaves it open", worse)) +
+      (excluded      ? printed(" is better by %.3g in log evidence, which excludes it", worse)
+       : adds_little ? printed(" is as good without what it adds (%.3g in log evidence)", worse)
+                     : printed(" is not clearly better (%.3g in log evidence), which leaves it open", worse)) +
       (!excluded && answer.is_out_of_time ? "; a longer --minutes solves it further" : ""));
+  if (!excluded) open_.push_back(std::move(set));
 }
 
 }  // namespace asperity

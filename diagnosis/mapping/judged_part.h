@@ -10,4 +10,8 @@ namespace asperity {
 double worse_on_part(const FitProblem& problem, const Samples& part, const ModelFit& fit,
                      const ModelFit& other, double overdispersion);
 
+/// chi^2 per sample of `part` that counts, beyond what mesh and laws may be off by [-].
+double chi2_on_part(const FitProblem& problem, const Samples& part, const ModelFit& fit,
+                    const ModelFit& baseline);
+
 }  // namespace asperity

@@ -10,6 +10,7 @@
 
 #include "diagnosis/choose/search.h"
 #include "diagnosis/mapping/branch_curves.h"
+#include "diagnosis/mapping/open_set.h"
 #include "diagnosis/mapping/solved_attraction.h"
 #include "diagnosis/mapping/solved_resistance.h"
 #include "diagnosis/outcome/diagnosis.h"
@@ -40,8 +41,9 @@ class SolvedCaseMapping {
   /// What the answer rests on; `chosen`: null where nothing is named.
   SolvedSimulation described(const ModelFit* chosen) const;
   const std::vector<std::string>& remarks() const { return remarks_; }
-  /// A set that was worth solving could not be: what is left cannot be the only explanation.
-  bool is_incomplete() const { return is_incomplete_; }
+  /// Sets that were worth solving, could not be solved to the end and are not excluded: what is named cannot
+  /// be the only explanation.
+  const std::vector<OpenSet>& left_open() const { return open_; }
   /// Effects that have no form in this case.
   std::vector<UntriedEffect> effects_without_form(const Experiment& experiment) const;
 
@@ -140,7 +142,7 @@ class SolvedCaseMapping {
   int solves_ = 0;
   ModelFit best_measurement_;  ///< the best set that needs no solution: what others have to be better than
   double overdispersion_ = 1;  ///< chi^2 of the best fit per sample [-]
-  bool is_incomplete_ = false;
+  std::vector<OpenSet> open_;
   std::vector<std::string> remarks_;
 };
 

@@ -39,7 +39,8 @@ std::string headline(const Diagnosis& d) {
     case Verdict::partly_explained:
       return "Partly explained: something is named, and structure remains";
     case Verdict::ambiguous:
-      return "Ambiguous: several explanations do as well on these data";
+      return d.left_out.empty() ? "Ambiguous: what fits could not be solved to its end"
+                                : "Ambiguous: several explanations do as well on these data";
     case Verdict::unexplained:
       return "Unexplained: there is a mismatch, and nothing in the catalogue explains it";
   }
@@ -74,7 +75,7 @@ std::vector<std::string> verdict_sentences(const Diagnosis& d) {
       text += " " + escaped(channel_words(p.name)) + " " + interval(p) + ".";
     list.push_back(text);
   }
-  if (d.verdict == Verdict::ambiguous && !d.alternatives.empty() &&
+  if (d.verdict == Verdict::ambiguous && !d.left_out.empty() && !d.alternatives.empty() &&
       !d.alternatives.front().told_apart_by.empty())
     list.push_back("What would tell them apart: " + escaped(d.alternatives.front().told_apart_by) + ".");
   return list;
@@ -135,16 +136,25 @@ std::string effect_section(const DiagnosedEffect& effect) {
   return body + table_html(table);
 }
 
+std::string nothing_named_words(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::no_mismatch:
+      return "Nothing that these data can show.";
+    case Verdict::ambiguous:
+      return "Nothing is named: what fits stands under the other explanations, and no solution of the case "
+             "confirms it yet.";
+    default:
+      return "Nothing of the catalogue: no effect, and no few of them together, brings the residuals down to "
+             "noise.";
+  }
+}
+
 std::string left_out_section(const Diagnosis& d) {
   std::string body;
   for (const auto& effect : d.left_out) body += effect_section(effect);
-  if (d.left_out.empty())
-    body =
-        paragraph(d.verdict == Verdict::no_mismatch ? "Nothing that these data can show."
-                                                    : "Nothing of the catalogue: no effect, and no few of "
-                                                      "them together, brings the residuals down to noise.");
+  if (d.left_out.empty()) body = paragraph(nothing_named_words(d.verdict));
   return section_html(
-      d.verdict == Verdict::ambiguous ? "What was left out, if the likeliest is right" : "What was left out",
+      d.verdict == Verdict::ambiguous && !d.left_out.empty() ? "What was left out, if the likeliest is right" : "What was left out",
       body);
 }
 
@@ -229,7 +239,7 @@ std::string alternatives_section(const Diagnosis& d) {
 }
 
 std::string remaining_section(const Diagnosis& d) {
-  if (d.remaining.empty() || d.verdict == Verdict::unexplained) return "";
+  if (d.remaining.empty() || d.left_out.empty()) return "";
   return section_html(
       "What still remains",
       paragraph("With what is named, these stretches are still not noise.") + region_table(d.remaining));

@@ -1,0 +1,48 @@
+#include "diagnosis/open_alternatives.h"
+
+#include <algorithm>
+
+#include "diagnosis/choose/members.h"
+#include "diagnosis/describe.h"
+
+namespace asperity {
+
+AlternativeExplanation alternative_left_open(const FitProblem& problem, const OpenSet& set,
+                                             double probability) {
+  FitProblem on_part = problem;
+  on_part.samples = set.part;
+  const ModelFit fit = finished(on_part, set.fit);
+  AlternativeExplanation alternative;
+  alternative.effects = described_effects(on_part, fit, probability);
+  alternative.probability = probability;
+  alternative.held_out_chi2_reduced = predict_held_out(on_part, fit, blocks_of(set.part)).chi2_reduced;
+  alternative.told_apart_by = set.told_by;
+  return alternative;
+}
+
+std::vector<const OpenSet*> open_beside(const std::vector<OpenSet>& sets, const ModelFit& chosen,
+                                        bool clean) {
+  std::vector<const OpenSet*> beside;
+  for (const OpenSet& set : sets)
+    if (!(clean && set.holds_more_than(chosen) && set.behind > -clear_evidence)) beside.push_back(&set);
+  return beside;
+}
+
+std::vector<AlternativeExplanation> alternatives_left_open(const FitProblem& problem,
+                                                           const std::vector<OpenSet>& sets) {
+  std::vector<const OpenSet*> able;
+  double weight = 0;
+  for (const OpenSet& set : sets)
+    if (set.could_explain) {
+      able.push_back(&set);
+      weight += set.weight();
+    }
+  std::stable_sort(able.begin(), able.end(),
+                   [](const OpenSet* a, const OpenSet* b) { return a->behind < b->behind; });
+  std::vector<AlternativeExplanation> list;
+  for (const OpenSet* set : able)
+    list.push_back(alternative_left_open(problem, *set, set->weight() / weight));
+  return list;
+}
+
+}  // namespace asperity
