@@ -222,8 +222,8 @@ class Diagnoser {
     double weight = 1;
     for (const JudgedSet* rival : rivals)
       weight += std::exp(rival->candidate->score - chosen.candidate->score);
-    const auto open = mapping_ ? open_beside(mapping_->left_open(), chosen.fit, clean)
-                               : std::vector<const OpenSet*>{};
+    const auto open =
+        mapping_ ? open_beside(mapping_->left_open(), chosen.fit, clean) : std::vector<const OpenSet*>{};
     for (const OpenSet* set : open) weight += set->weight();
     result_.left_out = described_effects(problem_, chosen.fit, 1 / weight);
     const std::string advice = open.empty() ? what_would_show(chosen) : open.front()->told_by;

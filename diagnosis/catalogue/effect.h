@@ -132,6 +132,11 @@ class Effect {
   virtual double opening_distance(const Experiment&, const double*) const { return 0; }
   /// Entries of the case that stand for these parameters; empty for EntersBy other than finite elements.
   virtual std::vector<CaseChange> case_changes(const Experiment&, const double*) const { return {}; }
+  /// The parameters of the case that case_changes() makes: others where its mesh does not resolve these, of
+  /// which the reduced law then says the difference.
+  virtual std::vector<double> values_as_solved(const Experiment& experiment, const double* values) const {
+    return {values, values + parameters(experiment).size()};
+  }
   /// Entries of a corrected case that stand for what was found, with intervals; those of case_changes() over
   /// all corners of the parameters' intervals where nothing else is said.
   virtual std::vector<CorrectedEntry> corrected_entries(const Experiment& experiment,

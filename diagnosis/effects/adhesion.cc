@@ -110,10 +110,13 @@ class Adhesion : public Effect {
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
+  std::vector<double> values_as_solved(const Experiment& e, const double* p) const override {
+    const double lambda = lambda_of_transition(p[1]), solved = lambda_as_solved(e, p);
+    return {p[0], solved < lambda ? transition_of_lambda(solved) : p[1]};
+  }
   /// Dugdale's attraction (Maugis 1992): w = h/(c pi R), c of that lambda.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
-    const double lambda = lambda_of_transition(p[1]);
-    const auto branch = maugis_branch(e.by_finite_elements ? resolvable_lambda(e, p[0], lambda) : lambda);
+    const auto branch = maugis_branch(lambda_as_solved(e, p));
     const double work = p[0] / (branch->pull_off() * M_PI * e.radius);
     auto changes = dugdale_in_case(e, work, range_of_attraction(e, work, branch->lambda()));
     if (e.case_attracts()) changes.push_back({"Interface/Work of adhesion on separation", work, "J/m^2"});
@@ -128,6 +131,12 @@ class Adhesion : public Effect {
       m.normal.contact = std::make_shared<MaugisContact>(*law, p[0], p[1]);
     else
       m.normal.contact = std::make_shared<AttractedContact>(*m.normal.contact, p[0]);
+  }
+
+ private:
+  static double lambda_as_solved(const Experiment& e, const double* p) {
+    const double lambda = lambda_of_transition(p[1]);
+    return e.by_finite_elements ? resolvable_lambda(e, p[0], lambda) : lambda;
   }
 };
 

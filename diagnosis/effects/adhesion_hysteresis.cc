@@ -134,12 +134,14 @@ class AdhesionHysteresis : public Effect {
   }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::finite_elements; }
   std::string why_not_by_finite_elements(const Experiment&) const override { return ""; }
+  std::vector<double> values_as_solved(const Experiment& e, const double* p) const override {
+    const double lambda = lambda_of_transition(p[2]), solved = lambda_as_solved(e, p);
+    return {p[0], p[1], solved < lambda ? transition_of_lambda(solved) : p[2]};
+  }
   /// Both works over one range, or over the shortest that a mesh resolves on separation.
   std::vector<CaseChange> case_changes(const Experiment& e, const double* p) const override {
     const double closing = p[0], opening = std::max(p[0], p[1]);
-    double lambda = lambda_of_transition(p[2]);
-    if (e.by_finite_elements) lambda = resolvable_lambda(e, 1.5 * M_PI * opening * e.radius, lambda);
-    auto changes = dugdale_in_case(e, opening, range_of_attraction(e, opening, lambda));
+    auto changes = dugdale_in_case(e, opening, range_of_attraction(e, opening, lambda_as_solved(e, p)));
     changes.push_back({"Interface/Work of adhesion on separation", opening, "J/m^2"});
     changes.front().value = closing;
     return changes;
@@ -153,6 +155,10 @@ class AdhesionHysteresis : public Effect {
   }
 
  private:
+  static double lambda_as_solved(const Experiment& e, const double* p) {
+    const double lambda = lambda_of_transition(p[2]), opening = std::max(p[0], p[1]);
+    return e.by_finite_elements ? resolvable_lambda(e, 1.5 * M_PI * opening * e.radius, lambda) : lambda;
+  }
   static PinnedContact contact_of(const Hertz& bodies, const double* p) {
     return {bodies, p[0], std::max(p[0], p[1]), lambda_of_transition(p[2])};
   }

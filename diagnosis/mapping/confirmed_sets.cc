@@ -37,11 +37,28 @@ const char* const in_more_time = "a longer --minutes, in which it is solved to i
 const char* const not_as_expected = "its first loads were not what was expected and ask for other values";
 
 /// The reduced law of the contact, without what measures it and without a correction.
-Mechanics reduced_law(const FitProblem& problem, const ModelFit& fit) {
-  const ModelFit contact = fit.only(problem, in_case(fit.explanation->effects(), problem.experiment), fit);
+Mechanics law_of_contact(const ModelFit& contact) {
   Mechanics m = contact.explanation->mechanics(contact.values);
   m.normal.correction = m.lateral.correction = nullptr;
   return m;
+}
+Mechanics reduced_law(const FitProblem& problem, const ModelFit& fit) {
+  return law_of_contact(fit.only(problem, in_case(fit.explanation->effects(), problem.experiment), fit));
+}
+
+/// The same of the case that a fit was solved by.
+Mechanics reduced_law_as_solved(const FitProblem& problem, const ModelFit& fit) {
+  ModelFit contact = fit.only(problem, in_case(fit.explanation->effects(), problem.experiment), fit);
+  const auto values = contact.values_of_effects();
+  std::vector<double> as_solved;
+  for (std::size_t e = 0; e < values.size(); ++e)
+    for (const double value :
+         contact.explanation->effects()[e]->values_as_solved(problem.experiment, values[e]))
+      as_solved.push_back(value);
+  contact.values.resize(contact.values.size() -
+                        as_solved.size());  // of the simulation itself, which stand first
+  contact.values.insert(contact.values.end(), as_solved.begin(), as_solved.end());
+  return law_of_contact(contact);
 }
 
 /// Root mean square of a difference in units of noise and mesh error, over the samples of `part` that count.
@@ -170,7 +187,7 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::reached(const FitProblem& pro
 SolvedCaseMapping::SolvedSet SolvedCaseMapping::solved_set(const FitProblem& problem, const ModelFit& fit,
                                                            const std::vector<double>& expected,
                                                            bool may_begin_again) {
-  const Mechanics reduced = reduced_law(problem, fit);
+  const Mechanics reduced = reduced_law_as_solved(problem, fit);
   if (is_lateral_) {
     const auto moved = move(problem.experiment, &fit);
     return {resistance_difference_to(moved, reduced),
@@ -290,9 +307,10 @@ void SolvedCaseMapping::judge_on_part(const SearchResult& search, const FitProbl
   remarks_.push_back(
       candidate.fit.explanation->name() + " was " + answer.in_words + ": on that part " +
       best.explanation->name() +
-      (excluded      ? printed(" is better by %.3g in log evidence, which excludes it", worse)
-       : adds_little ? printed(" is as good without what it adds (%.3g in log evidence)", worse)
-                     : printed(" is not clearly better (%.3g in log evidence), which leaves it open", worse)) +
+      (excluded ? printed(" is better by %.3g in log evidence, which excludes it", worse)
+       : adds_little
+           ? printed(" is as good without what it adds (%.3g in log evidence)", worse)
+           : printed(" is not clearly better (%.3g in log evidence), which leaves it open", worse)) +
       (!excluded && answer.is_out_of_time ? "; a longer --minutes solves it further" : ""));
   if (!excluded) open_.push_back(std::move(set));
 }

@@ -25,8 +25,8 @@ double worse_on_part(const FitProblem& problem, const Samples& part, const Model
 
 double chi2_on_part(const FitProblem& problem, const Samples& part, const ModelFit& fit,
                     const ModelFit& baseline) {
-  const auto counted = std::count_if(part.list.begin(), part.list.end(),
-                                     [](const Sample& sample) { return sample.counts; });
+  const auto counted =
+      std::count_if(part.list.begin(), part.list.end(), [](const Sample& sample) { return sample.counts; });
   return cost_on_part(problem, part, fit, baseline).of_misfit /
          static_cast<double>(std::max<std::ptrdiff_t>(1, counted));
 }

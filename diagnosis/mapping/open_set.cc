@@ -27,8 +27,8 @@ OpenSet open_set(const FitProblem& problem, const SearchResult& search, const Mo
   const auto behind = [&](const ModelFit& other) {
     return worse_on_part(problem, part, fit, other, search.overdispersion);
   };
-  const auto counted = std::count_if(part.list.begin(), part.list.end(),
-                                     [](const Sample& sample) { return sample.counts; });
+  const auto counted =
+      std::count_if(part.list.begin(), part.list.end(), [](const Sample& sample) { return sample.counts; });
   const bool leaves_noise =
       chi2_on_part(problem, part, fit, alone) < largest_of_noise(static_cast<std::size_t>(counted));
   return {fit, part, behind(best), leaves_noise && behind(alone) < -clear_evidence, std::move(told_by)};

@@ -9,9 +9,10 @@
 namespace asperity {
 
 struct OpenSet {
-  ModelFit fit;   ///< to the part that was solved; where nothing was, by the corrected reduced law to all of it
-  Samples part;   ///< the samples that the solution reached count
-  double behind;  ///< log evidence by which the best of the other sets is better on that part [-]
+  ModelFit
+      fit;  ///< to the part that was solved; where nothing was, by the corrected reduced law to all of it
+  Samples part;         ///< the samples that the solution reached count
+  double behind;        ///< log evidence by which the best of the other sets is better on that part [-]
   bool could_explain;   ///< on that part it leaves noise, and the simulation alone leaves clearly more
   std::string told_by;  ///< what would tell, as the end of a sentence
 

@@ -225,7 +225,24 @@ void SolvedCaseMapping::widen_untested(const FitProblem& problem,
   }
 }
 
-SolvedSimulation SolvedCaseMapping::described(const ModelFit* chosen) const {
+void SolvedCaseMapping::remark_on_values_as_solved(const ModelFit& fit) {
+  constexpr double rounding = 1e-3;
+  const Experiment& experiment = fit.explanation->experiment();
+  const auto values = fit.values_of_effects();
+  for (std::size_t e = 0; e < values.size(); ++e) {
+    const Effect& effect = *fit.explanation->effects()[e];
+    const auto as_solved = effect.values_as_solved(experiment, values[e]);
+    const auto parameters = effect.parameters(experiment);
+    for (std::size_t k = 0; k < as_solved.size(); ++k)
+      if (std::abs(as_solved[k] - values[e][k]) > rounding * std::abs(values[e][k]))
+        remarks_.push_back(effect.id() +
+                           printed(" fits with %s = %.3g and was solved with %.3g, the nearest that the mesh "
+                                   "resolves: its law says the difference, which corrected.prm has not",
+                                   parameters[k].name.c_str(), values[e][k], as_solved[k]));
+  }
+}
+
+SolvedSimulation SolvedCaseMapping::described(const ModelFit* chosen) {
   SolvedSimulation s;
   s.by_finite_elements = true;
   s.before = before_;
@@ -233,6 +250,7 @@ SolvedSimulation SolvedCaseMapping::described(const ModelFit* chosen) const {
   s.error = error_;
   if (is_lateral_) s.error_of = resistance_;
   if (!chosen) return s;
+  remark_on_values_as_solved(*chosen);
   for (const auto& solution : after_)
     if (solution.effects == chosen->explanation->name()) s.after = solution.source;
   return s;

@@ -38,8 +38,9 @@ class SolvedCaseMapping {
   void widen_untested(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
   /// Fills in the entries of the case that stand for the effects.
   void add_case_entries(const FitProblem& problem, std::vector<DiagnosedEffect>& effects) const;
-  /// What the answer rests on; `chosen`: null where nothing is named.
-  SolvedSimulation described(const ModelFit* chosen) const;
+  /// What the answer rests on; `chosen`: null where nothing is named. Values that the case could not be
+  /// solved with go to remarks().
+  SolvedSimulation described(const ModelFit* chosen);
   const std::vector<std::string>& remarks() const { return remarks_; }
   /// Sets that were worth solving, could not be solved to the end and are not excluded: what is named cannot
   /// be the only explanation.
@@ -120,6 +121,8 @@ class SolvedCaseMapping {
   Confirmation confirm_set(Candidate& candidate, const FitProblem& problem);
   void judge_on_part(const SearchResult& search, const FitProblem& problem, const Candidate& candidate,
                      const Confirmation& answer);
+  /// Where the case was solved with other values than a fit has.
+  void remark_on_values_as_solved(const ModelFit& fit);
   void say(const std::string& line) const {
     if (progress_) progress_(line);
   }

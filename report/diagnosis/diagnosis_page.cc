@@ -153,9 +153,10 @@ std::string left_out_section(const Diagnosis& d) {
   std::string body;
   for (const auto& effect : d.left_out) body += effect_section(effect);
   if (d.left_out.empty()) body = paragraph(nothing_named_words(d.verdict));
-  return section_html(
-      d.verdict == Verdict::ambiguous && !d.left_out.empty() ? "What was left out, if the likeliest is right" : "What was left out",
-      body);
+  return section_html(d.verdict == Verdict::ambiguous && !d.left_out.empty()
+                          ? "What was left out, if the likeliest is right"
+                          : "What was left out",
+                      body);
 }
 
 Beside beside_simulation(const Diagnosis& d) {
