@@ -12,6 +12,7 @@
 #include "diagnosis/choose/members.h"
 #include "diagnosis/mapping/effects_in_case.h"
 #include "diagnosis/mapping/judged_part.h"
+#include "diagnosis/mapping/law_of_contact.h"
 #include "diagnosis/mapping/recorded_contact.h"
 #include "diagnosis/mapping/solved_case_mapping.h"
 
@@ -35,31 +36,6 @@ constexpr double surprising = 3;
 const char* const to_be_solved = "a case that can be solved with what the remarks name";
 const char* const in_more_time = "a longer --minutes, in which it is solved to its end";
 const char* const not_as_expected = "its first loads were not what was expected and ask for other values";
-
-/// The reduced law of the contact, without what measures it and without a correction.
-Mechanics law_of_contact(const ModelFit& contact) {
-  Mechanics m = contact.explanation->mechanics(contact.values);
-  m.normal.correction = m.lateral.correction = nullptr;
-  return m;
-}
-Mechanics reduced_law(const FitProblem& problem, const ModelFit& fit) {
-  return law_of_contact(fit.only(problem, in_case(fit.explanation->effects(), problem.experiment), fit));
-}
-
-/// The same of the case that a fit was solved by.
-Mechanics reduced_law_as_solved(const FitProblem& problem, const ModelFit& fit) {
-  ModelFit contact = fit.only(problem, in_case(fit.explanation->effects(), problem.experiment), fit);
-  const auto values = contact.values_of_effects();
-  std::vector<double> as_solved;
-  for (std::size_t e = 0; e < values.size(); ++e)
-    for (const double value :
-         contact.explanation->effects()[e]->values_as_solved(problem.experiment, values[e]))
-      as_solved.push_back(value);
-  contact.values.resize(contact.values.size() -
-                        as_solved.size());  // of the simulation itself, which stand first
-  contact.values.insert(contact.values.end(), as_solved.begin(), as_solved.end());
-  return law_of_contact(contact);
-}
 
 /// Root mean square of a difference in units of noise and mesh error, over the samples of `part` that count.
 double distance(const FitProblem& problem, const Samples& part, const ModelFit& fit,
