@@ -219,6 +219,44 @@ TEST(SolvedAttraction_analytic, two_works_of_adhesion_are_those_on_approach_and_
   EXPECT_NEAR(d.corrected()[2].value / opening, 1, 0.05);
 }
 
+/// Of a range that no mesh here resolves: the edge stays where it is on the way back from each depth, as it
+/// would in the limit of Johnson, Kendall & Roberts, and not as over the range that is solved.
+TEST(SolvedAttraction_analytic, two_works_over_a_range_that_no_mesh_resolves_are_told_over_growing_cycles) {
+  const double closing = 0.05, opening = 0.2, range = 0.12 * nm;
+  Recording recording;
+  for (const double depth : {2 * nm, 3.5 * nm, 5 * nm}) {
+    hidden::HystereticTruth truth({modulus(), sphere_radius, closing, closing / range},
+                                  {modulus(), sphere_radius, opening, opening / range});
+    const Recording cycle = pulled(
+        [&](double d) {
+          const double f = truth.force(d, 0);
+          truth.take(d, 0);
+          return f;
+        },
+        depth, 0.3e-6);
+    if (recording.tables.empty()) {
+      recording = cycle;
+      continue;
+    }
+    RecordingTable& table = recording.tables[0];
+    const double last = table.columns["time"].back() + 0.1;
+    for (const auto& [name, column] : cycle.tables[0].columns)
+      for (const double value : column) table.columns[name].push_back(value + (name == "time" ? last : 0));
+    for (const auto& segment : cycle.tables[0].segment) table.segment.push_back(segment);
+  }
+  AttractingStandIn simulation;
+  simulation.case_spacing = 16 * nm;
+  const Diagnosis d = diagnosed(recording, simulation);
+  EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
+  ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
+  EXPECT_EQ(d.left_out[0].id, "adhesion_hysteresis");
+  EXPECT_NEAR(d.left_out[0].parameters[1].value / opening, 1, 0.03);
+  EXPECT_GT(d.corrected()[1].value, 1.5 * range);
+  EXPECT_TRUE(std::any_of(d.remarks.begin(), d.remarks.end(), [](const std::string& remark) {
+    return remark.find("adhesion_hysteresis fits with transition = ") == 0;
+  })) << diagnosis_json(d);
+}
+
 TEST(SolvedAttraction_analytic, a_case_that_attracts_as_recorded_leaves_nothing_out) {
   const double work = 0.3, range = 1.2 * nm;
   const MaugisDugdale truth{modulus(), sphere_radius, work, work / range};
