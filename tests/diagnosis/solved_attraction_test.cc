@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/root.h"
 #include "dem_compare/laws/maugis_dugdale.h"
+#include "dem_compare/laws/pinned_dugdale.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/challenge/challenge_matrix.h"
 #include "diagnosis/conceal/normal_truth.h"
@@ -34,7 +35,8 @@ class AttractingStandIn : public ForwardModel {
  public:
   int attracting = 0;
   double own_work = 0, own_opening = 0, own_range = 0;  ///< of the case
-  double give = 1;  ///< its modulus over that of smooth bodies, as rough ones give way more
+  bool keeps_edge = false;  ///< of two works: as finite elements do (PinnedDugdale), and no flat punch
+  double give = 1;          ///< its modulus over that of smooth bodies, as rough ones give way more
   double case_spacing = 0, least_cells_over_zone = std::numeric_limits<double>::infinity();
 
   SimulatedBodies bodies() const override {
@@ -98,11 +100,22 @@ class AttractingStandIn : public ForwardModel {
     MaugisDugdale of_opening = law;
     of_opening.work_of_adhesion = opening;
     of_opening.cohesive_stress *= opening / law.work_of_adhesion;  // over the same range
-    hidden::HystereticTruth contact(law, of_opening);
+    hidden::HystereticTruth punch(law, of_opening);
+    const double stiffness = 4.0 / 3 * law.reduced_modulus, unit = M_PI * opening * law.radius,
+                 of_approach = std::cbrt(std::pow(unit / stiffness, 2) / law.radius);
+    const PinnedDugdale held(
+        2 * of_opening.cohesive_stress * std::cbrt(law.radius / (M_PI * opening * stiffness * stiffness)),
+        law.work_of_adhesion / opening);
+    DugdaleContact state{};
     const auto go = [&](double approach) {
       r.displacement.push_back(approach);
-      r.force.push_back(contact.force(approach, 0));
-      contact.take(approach, 0);
+      if (keeps_edge) {
+        state = held.at(approach / of_approach, state);
+        r.force.push_back(unit * state.force);
+      } else {
+        r.force.push_back(punch.force(approach, 0));
+        punch.take(approach, 0);
+      }
     };
     for (int i = 1; i <= steps; ++i) go(protocol.approach * i / steps);
     r.peak = steps - 1;
@@ -245,7 +258,7 @@ TEST(SolvedAttraction_analytic, two_works_over_a_range_that_no_mesh_resolves_are
     for (const auto& segment : cycle.tables[0].segment) table.segment.push_back(segment);
   }
   AttractingStandIn simulation;
-  simulation.case_spacing = 16 * nm;
+  simulation.case_spacing = 16 * nm, simulation.keeps_edge = true;
   const Diagnosis d = diagnosed(recording, simulation);
   EXPECT_EQ(d.verdict, Verdict::explained) << d.in_words;
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
