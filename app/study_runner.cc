@@ -261,7 +261,7 @@ class StudyRun {
   }
 
   void stop_running_cases() {
-    options_.say("stopping " + std::to_string(running_.size()) + " running cases; --resume goes on");
+    options_.say("stopping " + std::to_string(running_.size()) + " running cases, which keep what they have");
     for (auto& running : running_) running.process.ask_to_stop();
     const auto start = Clock::now();
     const auto all_ended = [&] {

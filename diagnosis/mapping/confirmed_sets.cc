@@ -21,8 +21,9 @@ namespace {
 
 using Effects = std::vector<const Effect*>;
 
-/// Most solutions for one set (a second one always checks the first, except of motions, which take minutes);
-/// root mean square distance to what was expected, in units of noise and mesh.
+/// Most solutions for one set (a second one checks the first, except of motions, which take minutes, and
+/// where the fit to the first leaves what the case does as it was solved); root mean square distance to what
+/// was expected, in units of noise and mesh.
 constexpr int most_solves = 4, steps_of_refit = 6;
 constexpr double near_enough = 0.2, too_far = 1;
 /// Log evidence by which other values fit better than those that were solved: no more than noise makes of two
@@ -51,13 +52,6 @@ double distance(const FitProblem& problem, const Samples& part, const ModelFit& 
   return std::sqrt(sum / std::max(1.0, count));
 }
 
-/// Half as far again as the contact was pressed, by the recording or, where that is more, by Hertz' law [m].
-double far_beyond_recorded(const FitProblem& problem) {
-  constexpr double far = 1.5;
-  return far *
-         std::max(problem.experiment.largest_displacement, recorded_in_contact(problem, Pressed::alone));
-}
-
 /// The fit with another's values of these effects and, where `of_simulation`, of the simulation's own
 /// parameters.
 ModelFit with_values(ModelFit fit, const ModelFit& other, const Effects& of_effects, bool of_simulation) {
@@ -71,6 +65,13 @@ ModelFit with_values(ModelFit fit, const ModelFit& other, const Effects& of_effe
     if (value) fit.values[k] = *value;
   }
   return fit;
+}
+
+/// By how much what the case does has moved since it was solved, as distance() says [-].
+double moved_since(const ModelFit& solved_at, const ModelFit& fit, const FitProblem& problem,
+                   const Samples& part) {
+  const Effects solved = in_case(fit.explanation->effects(), problem.experiment);
+  return distance(problem, part, with_values(fit, solved_at, solved, false), fit.simulate(problem.samples));
 }
 
 /// Displacement of the contact, without instruments, under a force on loading [m].
@@ -188,9 +189,7 @@ bool SolvedCaseMapping::is_served_by(const ConfirmedSet& other, ModelFit& fit,
   const ModelFit from_other = from(with_values(fit, other.fit, other.fit.explanation->effects(), true));
   fit = from(fit);
   if (from_other.cost < fit.cost) fit = from_other;
-  const Effects solved = in_case(fit.explanation->effects(), problem.experiment);
-  const ModelFit as_solved = with_values(fit, other.solved_at, solved, false);
-  return distance(problem, problem.samples, as_solved, fit.simulate(problem.samples)) < too_far;
+  return moved_since(other.solved_at, fit, problem, problem.samples) < too_far;
 }
 
 SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candidate,
@@ -226,12 +225,14 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
     apart = distance(problem, answer.part, fit, expected);
     solved_at = fit;
     fit = refitted(problem, fit, answer.part, false, steps_of_refit);
+    const bool stays = moved_since(solved_at, fit, problem, answer.part) < near_enough;
+    if (stays) apart = 0;
     is_settled = apart < near_enough ||
                  (apart < too_far &&
                   worse_on_part(problem, answer.part, solved_at, fit, overdispersion_) < little_to_gain);
     if (answer.is_out_of_time ||
         (i > 0 && answer.state == Confirmation::partial && !answer.may_begin_again) ||
-        ((i > 0 || is_lateral_) && answer.state == Confirmation::complete && is_settled))
+        ((i > 0 || is_lateral_ || stays) && answer.state == Confirmation::complete && is_settled))
       break;
   }
   if (answer.state == Confirmation::partial) return answer;

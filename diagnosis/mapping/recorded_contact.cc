@@ -22,4 +22,10 @@ double recorded_in_contact(const FitProblem& problem, Pressed pressed) {
   return std::max(0.0, most - least);
 }
 
+double far_beyond_recorded(const FitProblem& problem) {
+  constexpr double far = 1.5;
+  return far *
+         std::max(problem.experiment.largest_displacement, recorded_in_contact(problem, Pressed::alone));
+}
+
 }  // namespace asperity

@@ -12,4 +12,7 @@ enum class Pressed { alone, or_pulled };
 /// than 2 % of the largest force [m]; 0 where it is at none.
 double recorded_in_contact(const FitProblem& problem, Pressed pressed);
 
+/// Half as far again as the contact was pressed, by the recording or, where that is more, by Hertz' law [m].
+double far_beyond_recorded(const FitProblem& problem);
+
 }  // namespace asperity
