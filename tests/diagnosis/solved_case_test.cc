@@ -246,6 +246,25 @@ TEST(SolvedCase_behaviour, nothing_is_the_only_explanation_where_another_could_n
   EXPECT_NEAR(sum, 1, 1e-9);
 }
 
+TEST(SolvedCase_behaviour, what_could_not_be_solved_is_an_answer_where_nothing_else_explains) {
+  StandIn fails;
+  fails.cannot_solve = "Particle/Yield stress";
+  const Diagnosis d = diagnosed(pressed_yielding(0.9e9, {30 * nm, 60 * nm}), &fails);
+  EXPECT_EQ(d.verdict, Verdict::ambiguous) << d.in_words;
+  EXPECT_TRUE(d.left_out.empty()) << d.in_words;
+  EXPECT_TRUE(d.nearest.empty());
+  EXPECT_FALSE(d.mismatch.empty());
+  ASSERT_TRUE(holds(d, {"bulk_plasticity"})) << d.in_words;
+  EXPECT_NE(d.in_words.find("Nothing is named until it is solved to its end"), std::string::npos)
+      << d.in_words;
+  double sum = 0;
+  for (const auto& alternative : d.alternatives) {
+    sum += alternative.probability;
+    EXPECT_EQ(alternative.told_apart_by, "a case that can be solved with what the remarks name");
+  }
+  EXPECT_NEAR(sum, 1, 1e-9);
+}
+
 TEST(SolvedCase_behaviour, each_turning_point_is_solved_and_yielding_recovered_over_cycles_of_growing_depth) {
   constexpr double yield = 0.9e9;
   const Recording recording = pressed_yielding(yield, {20 * nm, 40 * nm, 60 * nm});
