@@ -99,7 +99,8 @@ def answer(asperity, folder, minutes):
         " and ".join("`{}`".format(name) for name in other["effects"]) for other in said["alternatives"]
     )
     if others:
-        sentences.append("As good or nearly: " + others + ".")
+        how = "As good or nearly" if names else "Fits as far as it was solved, and was not solved to its end"
+        sentences.append("{}: {}.".format(how, others))
     sentences.append(
         "Friction is off by {:.1f} % as stated (mesh, path). One realisation each: the scatter between"
         " realisations is not in the intervals.".format(
