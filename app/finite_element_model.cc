@@ -225,11 +225,15 @@ std::vector<SolvedResponse> FiniteElementModel::solve(const std::vector<CaseChan
     if (done.state != CaseProgress::State::done && each.ended_early.empty())
       // No WorkError: a stop ends the diagnosis, where a case that fails is left out of it.
       throw std::runtime_error("the diagnosis was stopped; the same command goes on with what is solved");
-    if (!each.ended_early.empty() && steps_in(folder) < least_steps_of_curve)
-      throw WorkError("'" + folder + "' was stopped before it said anything: " + each.ended_early);
+    const bool is_late = !each.ended_early.empty() && !out_of_time(done.seconds).empty();
+    if (!each.ended_early.empty() && steps_in(folder) < least_steps_of_curve) {
+      const std::string why = "'" + folder + "' was stopped before it said anything: " + each.ended_early;
+      if (is_late) throw OutOfTime(why);
+      throw WorkError(why);
+    }
     responses.push_back(response_of(folder, each.ended_early));
     if (changes.empty() && responses.back().ended_early == at_the_rim) refuse_outgrown(folder);
-    responses.back().is_out_of_time = !each.ended_early.empty() && !out_of_time(done.seconds).empty();
+    responses.back().is_out_of_time = is_late;
   }
   return responses;
 }

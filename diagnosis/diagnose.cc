@@ -181,10 +181,10 @@ class Diagnoser {
     if (verdict != Verdict::no_mismatch) result_.mismatch = mismatch;
     result_.remaining = result_.mismatch;
     result_.improved = result_.baseline;
-    if (verdict == Verdict::unexplained) remark_all(remarks_on_wave(problem_));
     if (verdict == Verdict::unexplained && mapping_)
       result_.alternatives = alternatives_left_open(problem_, mapping_->left_open());
     if (!result_.alternatives.empty()) result_.verdict = Verdict::ambiguous;
+    if (result_.verdict == Verdict::unexplained) remark_all(remarks_on_wave(problem_));
     if (result_.verdict == Verdict::unexplained && search_.explains())
       show_nearest();
     else

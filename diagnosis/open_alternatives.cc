@@ -31,12 +31,19 @@ std::vector<const OpenSet*> open_beside(const std::vector<OpenSet>& sets, const 
 std::vector<AlternativeExplanation> alternatives_left_open(const FitProblem& problem,
                                                            const std::vector<OpenSet>& sets) {
   std::vector<const OpenSet*> able;
-  double weight = 0;
   for (const OpenSet& set : sets)
-    if (set.could_explain) {
-      able.push_back(&set);
-      weight += set.weight();
-    }
+    if (set.could_explain) able.push_back(&set);
+  const std::vector<const OpenSet*> all = able;
+  able.erase(std::remove_if(able.begin(), able.end(),
+                            [&](const OpenSet* set) {
+                              return std::any_of(all.begin(), all.end(), [&](const OpenSet* fewer) {
+                                return set->holds_more_than(fewer->fit) &&
+                                       set->behind > fewer->behind - clear_evidence;
+                              });
+                            }),
+             able.end());
+  double weight = 0;
+  for (const OpenSet* set : able) weight += set->weight();
   std::stable_sort(able.begin(), able.end(),
                    [](const OpenSet* a, const OpenSet* b) { return a->behind < b->behind; });
   std::vector<AlternativeExplanation> list;

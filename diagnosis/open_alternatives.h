@@ -15,7 +15,8 @@ AlternativeExplanation alternative_left_open(const FitProblem& problem, const Op
 /// more and is not clearly ahead is no rival of it.
 std::vector<const OpenSet*> open_beside(const std::vector<OpenSet>& sets, const ModelFit& chosen, bool clean);
 
-/// Where nothing is named: those that could explain the recording, the likeliest first.
+/// Where nothing is named: those that could explain the recording, the likeliest first; not one that has all
+/// of another and more and is not clearly ahead of it.
 std::vector<AlternativeExplanation> alternatives_left_open(const FitProblem& problem,
                                                            const std::vector<OpenSet>& sets);
 

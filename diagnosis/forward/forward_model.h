@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/hertz.h"
 #include "core/motion.h"
 #include "core/relaxing_modulus.h"
@@ -107,6 +108,12 @@ struct SimulatedBodies {
   int unload_steps = 0;      ///< in which it is drawn back; 0: not known
 };
 
+/// A solution was stopped, for it took too long, before it said anything.
+class OutOfTime : public WorkError {
+ public:
+  using WorkError::WorkError;
+};
+
 /// A simulation that is solved anew for each set of changes.
 class ForwardModel {
  public:
@@ -117,7 +124,7 @@ class ForwardModel {
   virtual void refuse_unless_normal() const {}
   /// Solves the case with these changes under each of the protocols; what was solved before is reused. A
   /// solution ends early where `enough` (asked after its steps; none: never) says so, or where it would take
-  /// too long. Throws WorkError where a case cannot be solved at all.
+  /// too long. Throws WorkError where a case cannot be solved at all, and OutOfTime.
   virtual std::vector<SolvedResponse> solve(const std::vector<CaseChange>& changes,
                                             const std::vector<LoadingProtocol>& protocols,
                                             const EnoughOfIt& enough) = 0;

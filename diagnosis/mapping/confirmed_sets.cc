@@ -217,6 +217,9 @@ SolvedCaseMapping::Confirmation SolvedCaseMapping::confirm_set(Candidate& candid
     } catch (const InputError& error) {
       remarks_.push_back(name + " was not tried: " + error.what());
       return {Confirmation::failed, {}, {}};
+    } catch (const OutOfTime& error) {
+      remarks_.push_back(name + " was not solved: " + error.what());
+      return {Confirmation::failed, {}, {}, true};
     } catch (const WorkError& error) {
       remarks_.push_back(name + " could not be solved: " + error.what());
       return {Confirmation::failed, {}, {}};
@@ -256,21 +259,22 @@ void SolvedCaseMapping::confirm(SearchResult& search, const FitProblem& problem,
         candidate->score > search.alone.score)
       best_measurement_ = candidate->fit;
   std::vector<Candidate> kept;
-  std::vector<std::pair<Candidate, Confirmation>> partial;
-  std::vector<Candidate> failed;
+  std::vector<std::pair<Candidate, Confirmation>> unsolved;
   for (const Candidate& candidate : search.candidates)
     if (in_case(candidate.fit.explanation->effects(), problem.experiment).empty()) kept.push_back(candidate);
   for (Candidate candidate : wanted) {
     Confirmation answer = confirm_set(candidate, problem);
-    if (answer.state == Confirmation::failed) failed.push_back(candidate);
     if (answer.state == Confirmation::complete) kept.push_back(candidate);
-    if (answer.state == Confirmation::partial) partial.emplace_back(candidate, std::move(answer));
+    if (answer.state != Confirmation::complete) unsolved.emplace_back(candidate, std::move(answer));
   }
   search.candidates = std::move(kept);
   rescore(search, problem);
-  for (const auto& candidate : failed)
-    open_.push_back(open_set(problem, search, candidate.fit, problem.samples, to_be_solved));
-  for (const auto& [candidate, answer] : partial) judge_on_part(search, problem, candidate, answer);
+  for (const auto& [candidate, answer] : unsolved)
+    if (answer.state == Confirmation::partial)
+      judge_on_part(search, problem, candidate, answer);
+    else
+      open_.push_back(open_set(problem, search, candidate.fit, problem.samples,
+                               answer.is_out_of_time ? in_more_time : to_be_solved));
 }
 
 void SolvedCaseMapping::judge_on_part(const SearchResult& search, const FitProblem& problem,
