@@ -191,8 +191,8 @@ std::string left_open_in_words(const Diagnosis& d) {
   for (const auto& alternative : d.alternatives)
     names += (names.empty() ? "" : "; ") + titles(alternative.effects);
   return "Something was left out. " +
-         std::string(is_one ? "One explanation fits" : "These explanations fit") +
-         " as far as the case could be solved with it: " + names +
+         std::string(is_one ? "One explanation fits so far" : "These explanations fit so far") +
+         ", by its law or the part that was solved: " + names +
          ". Nothing is named until it is solved to its end. What would tell: " +
          d.alternatives.front().told_apart_by + ".";
 }
