@@ -46,7 +46,8 @@ std::string summary(const Diagnosis& d, const fs::path& output) {
   for (const auto& a : d.alternatives) {
     std::string names;
     for (const auto& effect : a.effects) names += (names.empty() ? "" : " + ") + effect.id;
-    text += "  or: " + names + printed(" (probability %.2g)", a.probability) + "; " + a.told_apart_by + "\n";
+    const std::string how = d.left_out.empty() ? "not confirmed" : printed("probability %.2g", a.probability);
+    text += "  or: " + names + " (" + how + "); " + a.told_apart_by + "\n";
   }
   if (d.simulation.by_finite_elements) {
     text += printed("  simulation: the case, %d solutions; %s (mesh, load steps)\n", d.simulation.solves,

@@ -230,8 +230,8 @@ std::string alternatives_section(const Diagnosis& d) {
       for (const auto& p : effect.parameters)
         names += "<br>" + escaped(channel_words(p.name)) + " " + interval(p);
     }
-    table.rows.push_back(
-        {names, percent(a.probability), number(a.held_out_chi2_reduced), escaped(a.told_apart_by)});
+    table.rows.push_back({names, d.left_out.empty() ? "not confirmed" : percent(a.probability),
+                          number(a.held_out_chi2_reduced), escaped(a.told_apart_by)});
   }
   return section_html("Other explanations",
                       paragraph("Each was fitted to the same data; the probability weighs how well it fits "

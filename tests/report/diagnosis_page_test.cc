@@ -63,5 +63,24 @@ TEST(DiagnosisPage_behaviour, draws_the_simulation_alone_where_nothing_is_near) 
   EXPECT_EQ(page.find("196"), std::string::npos);
 }
 
+TEST(DiagnosisPage_behaviour, shows_what_was_not_solved_to_its_end_as_not_confirmed) {
+  Diagnosis d = unexplained();
+  d.verdict = Verdict::ambiguous;
+  d.remaining =
+      d.mismatch = {{"curve.csv", "normal_force", "load", "normal_displacement", "m", 0, 1e-9, 5, 0, 0.4}};
+  AlternativeExplanation open;
+  open.effects = d.nearest;
+  open.probability = 1;
+  open.told_apart_by = "a longer --minutes";
+  d.alternatives = {open};
+  d.nearest.clear();
+  const std::string page = report::diagnosis_page(of_gel(), d);
+  for (const char* part : {"what fits could not be solved to its end", "Nothing is named", "not confirmed",
+                           "fluid_drag", "a longer --minutes"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  for (const char* part : {"if the likeliest is right", "With what is named", "99 %"})
+    EXPECT_EQ(page.find(part), std::string::npos) << part;
+}
+
 }  // namespace
 }  // namespace asperity
