@@ -98,6 +98,8 @@ SolvedResponse response_of(const fs::path& folder, const std::string& ended_earl
         "'" + folder.string() +
         "' does not state the error of its approach, without which a mismatch cannot be told from "
         "the mesh's; solve it with this version");
+  if (const double sd = solved.effective("pull_off_force").sd; std::isfinite(sd))
+    response.pull_off_error = sd;
   response.source = folder.string();
   response.ended_early = is_at_rim && ended_early.empty() ? at_the_rim : ended_early;
   return response;

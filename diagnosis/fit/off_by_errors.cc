@@ -78,6 +78,8 @@ std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFi
       fit.explanation->with(std::make_shared<OffByError>(exact))};
   if (exact->stiffness_error() > 0)
     off.push_back(fit.explanation->with(std::make_shared<OffByStiffnessError>(exact)));
+  for (auto& attraction : exact->with_attraction_off())
+    off.push_back(fit.explanation->with(std::move(attraction)));
   return off;
 }
 

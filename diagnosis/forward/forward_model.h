@@ -38,6 +38,7 @@ struct SolvedResponse {
   std::size_t peak = 0;              ///< last step of loading
   double displacement_error = 0;     ///< standard deviation of the approach at the largest load, as stated:
                                      ///< of mesh and load steps [m]; NaN of a solution without its end
+  double pull_off_error = 0;         ///< standard deviation of the pull-off force, as stated [N]; 0: of none
   std::string source;                ///< where it can be looked up
   std::string ended_early;           ///< why it ends before its protocol does; empty: it does not
   bool is_out_of_time = false;       ///< it ended early because it took too long
@@ -103,7 +104,7 @@ struct SimulatedBodies {
   double work_of_adhesion = 0;      ///< on approach [J/m^2]
   double work_of_separation = 0;    ///< of adhesion, on separation [J/m^2]
   double attraction_force = 0;      ///< beyond the contact [N]
-  RelaxingPart particle_relaxation, substrate_relaxation;  ///< of their shear moduli
+  RelaxingPart particle_relaxation{}, substrate_relaxation{};  ///< of their shear moduli
   double substrate_rms = 0;  ///< of a generated substrate [m]; 0: it is smooth or a scan
   int unload_steps = 0;      ///< in which it is drawn back; 0: not known
 };

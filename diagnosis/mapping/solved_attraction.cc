@@ -36,6 +36,12 @@ class ForceOverApproach {
 struct ForceDifference {
   ForceOverApproach loading, unloading;
   double opens_later = 0;  ///< displacement at which it parts, minus that of the reduced law [m]
+  double loading_off = 0, unloading_off = 0;  ///< what its mesh may be off by, of each; once it is [N]
+};
+
+/// By how much the force is off, on loading and on unloading [N].
+struct ForceOff {
+  double loading = 0, unloading = 0;
 };
 
 class SolvedAttraction : public NormalContact {
@@ -52,8 +58,9 @@ class SolvedAttraction : public NormalContact {
   double release() const override { return std::min(0.0, reduced_->parting() + difference_->opens_later); }
   double force(double d) const override {
     if (d < (touches_ ? release() : 0.0)) return 0;
-    const ForceOverApproach& branch = d >= deepest_ ? difference_->loading : difference_->unloading;
-    return reduced_->held_force(d) + branch.at(d);
+    const double beyond = d >= deepest_ ? difference_->loading.at(d) + difference_->loading_off
+                                        : difference_->unloading.at(d) + difference_->unloading_off;
+    return reduced_->held_force(d) + beyond;
   }
   void begin_step(double time_step) override { reduced_->begin_step(time_step); }
   void accept(double d) override {
@@ -71,18 +78,44 @@ class SolvedAttraction : public NormalContact {
 
 class AttractionCorrection : public BranchCorrection {
  public:
-  AttractionCorrection(std::shared_ptr<const ForceDifference> difference, double error)
-      : difference_(std::move(difference)), error_(error) {}
+  AttractionCorrection(std::shared_ptr<const ForceDifference> difference, double error,
+                       std::vector<ForceOff> off)
+      : difference_(std::move(difference)), error_(error), off_(std::move(off)) {}
   double displacement(const Sample&, double) const override { return 0; }
   std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
     return std::make_shared<SolvedAttraction>(reduced, difference_);
   }
   double error() const override { return error_; }
+  std::vector<std::shared_ptr<const BranchCorrection>> with_attraction_off() const override {
+    std::vector<std::shared_ptr<const BranchCorrection>> all;
+    for (const ForceOff& off : off_) {
+      auto difference = std::make_shared<ForceDifference>(*difference_);
+      difference->loading_off = off.loading;
+      difference->unloading_off = off.unloading;
+      all.push_back(std::make_shared<AttractionCorrection>(difference, error_, std::vector<ForceOff>{}));
+    }
+    return all;
+  }
 
  private:
   std::shared_ptr<const ForceDifference> difference_;
   double error_;
+  std::vector<ForceOff> off_;
 };
+
+/// What the mesh makes of the attraction, one standard deviation: a part of the pull-off force as stated, and
+/// the same part of the strongest pull as it closes. Where a sphere is pressed far beyond it, attraction is a
+/// constant force, 2/3 (JKR) to 1 (DMT) of the pull-off force: the same force is taken everywhere.
+std::vector<ForceOff> attraction_off(const SolvedResponse& solved, bool returns_on_another_curve) {
+  if (!(solved.pull_off_error > 0)) return {};
+  if (!returns_on_another_curve) return {{solved.pull_off_error, solved.pull_off_error}};
+  const auto begin = solved.force.begin(), peak = begin + static_cast<std::ptrdiff_t>(solved.peak) + 1;
+  const double closing = std::max(0.0, -*std::min_element(begin, peak)),
+               opening = -*std::min_element(begin, solved.force.end());
+  std::vector<ForceOff> off{{0, solved.pull_off_error}};
+  if (closing > 0) off.push_back({solved.pull_off_error * closing / opening, 0});
+  return off;
+}
 
 }  // namespace
 
@@ -111,7 +144,8 @@ std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solv
   difference->loading.finish();
   difference->unloading.finish();
   if (std::isfinite(solved.displacement_error)) displacement_error = solved.displacement_error;
-  return std::make_shared<AttractionCorrection>(difference, displacement_error);
+  return std::make_shared<AttractionCorrection>(difference, displacement_error,
+                                                attraction_off(solved, returns_on_another_curve));
 }
 
 }  // namespace asperity

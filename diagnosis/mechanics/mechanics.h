@@ -74,6 +74,9 @@ class BranchCorrection {
   /// Standard deviation of the finite elements' own answer, of mesh and load steps, at any force: of the
   /// displacement under normal load [m], of resistance along the surface as a part of it [-].
   virtual double error() const = 0;
+  /// The same correction with the attraction off by one standard deviation of what its mesh makes of it; of
+  /// closing and of opening apart where these are two. Empty: nothing attracts.
+  virtual std::vector<std::shared_ptr<const BranchCorrection>> with_attraction_off() const { return {}; }
   /// The same of the resistance that was solved, at a sample's normal force and surface [N]: what stands
   /// beside the solution adds nothing to it.
   virtual double limit_error(const Sample&) const { return 0; }

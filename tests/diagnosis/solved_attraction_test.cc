@@ -36,7 +36,8 @@ class AttractingStandIn : public ForwardModel {
   int attracting = 0;
   double own_work = 0, own_opening = 0, own_range = 0;  ///< of the case
   bool keeps_edge = false;  ///< of two works: as finite elements do (PinnedDugdale), and no flat punch
-  double give = 1;          ///< its modulus over that of smooth bodies, as rough ones give way more
+  double mesh_pulls_more = 0, stated_of_pull_off = 0;  ///< parts of the pull-off force
+  double give = 1;  ///< its modulus over that of smooth bodies, as rough ones give way more
   double case_spacing = 0, least_cells_over_zone = std::numeric_limits<double>::infinity();
 
   SimulatedBodies bodies() const override {
@@ -122,6 +123,10 @@ class AttractingStandIn : public ForwardModel {
     for (int i = steps - 1; protocol.unloads && i >= 0; --i)
       go(-protocol.retract + (protocol.approach + protocol.retract) * i / steps);
     r.displacement_error = 0.02 * nm;
+    const double pull_off = -*std::min_element(r.force.begin(), r.force.end());
+    for (double& force : r.force)
+      if (force != 0) force -= mesh_pulls_more * pull_off;
+    r.pull_off_error = stated_of_pull_off * pull_off;
     return r;
   }
 };
@@ -296,6 +301,29 @@ TEST(SolvedAttraction_analytic, a_case_that_attracts_as_recorded_leaves_nothing_
                                  [](const UntriedEffect& untried) { return untried.effect == "film"; });
   ASSERT_NE(bulk, other.not_tried.end());
   EXPECT_EQ(bulk->why, "the surfaces of the case attract, and its law is one of surfaces that do not");
+}
+
+TEST(SolvedAttraction_analytic, what_its_mesh_makes_of_the_attraction_is_in_the_interval_and_is_no_mismatch) {
+  const double work = 0.3, range = 1.2 * nm;
+  const MaugisDugdale truth{modulus(), sphere_radius, work, work / range};
+  const Recording recording = pulled(truth, 10 * nm, 0.001 * truth.advance({}, 10 * nm).force);
+  AttractingStandIn simulation;
+  simulation.mesh_pulls_more = 0.03, simulation.stated_of_pull_off = 0.04;
+  const Diagnosis named = diagnosed(recording, simulation);
+  EXPECT_EQ(named.verdict, Verdict::explained) << named.in_words;
+  ASSERT_EQ(named.left_out.size(), 1u) << named.in_words;
+  EXPECT_EQ(named.left_out[0].id, "adhesion");
+  const DiagnosedParameter& pull_off = named.left_out[0].parameters[0];
+  EXPECT_LT(pull_off.low, truth.pull_off_force());
+  EXPECT_GT(pull_off.high, truth.pull_off_force());
+  EXPECT_GT(pull_off.high / pull_off.low, 1.12) << "two standard deviations of 4 % to either side";
+
+  simulation.own_work = work, simulation.own_range = range;
+  const Diagnosis same = diagnosed(recording, simulation);
+  EXPECT_EQ(same.verdict, Verdict::no_mismatch) << same.in_words;
+  simulation.stated_of_pull_off = 0;
+  const Diagnosis unstated = diagnosed(recording, simulation);
+  EXPECT_NE(unstated.verdict, Verdict::no_mismatch) << unstated.in_words;
 }
 
 TEST(SolvedAttraction_analytic, instruments_and_another_radius_are_named_around_a_case_that_attracts) {
