@@ -101,19 +101,19 @@ void ContactSolver::begin_step(Iteration& at, const RigidMotion& motion, double 
   constexpr double growth = 1.001;  // steps at the same load meet it within their tolerance
   const bool load_grows = force_control() ? at.target > growth * tractions_.carried_load(state, gaps_before)
                                           : at.target > state.approach;
-  const double share = at.pace == Pace::quick && force_control()
-                           ? prediction_.share_of_last_step(state, motion, at.target)
-                           : 0;
+  const double share = at.pace == Pace::quick ? prediction_.share_of_last_step(state, motion, at.target) : 0;
   system_.couple_at({motion, mean_displacement(state)}, state.displacement);
   state.coupling = system_.coupling();
   system_.bodies().begin_step({state.time + time_step, time_step}, state.displacement);
   tractions_.begin_step(state, motion, gaps_before, gaps(state), load_grows, time_step);
   state.motion = motion;
   if (share > 0) predict(at, share);
-  if (force_control())
-    complete(state.displacement, state.approach);
-  else
+  if (!force_control() && share == 0) {
     advance_to(state, at.target, at.report);
+  } else {
+    if (!force_control()) state.approach = at.target;
+    complete(state.displacement, state.approach);
+  }
   // First guess of the stick-slip state: nodes that slipped keep slipping if the motion continues in their
   // direction; at the start and after a reversal all nodes stick.
   if (tractions_.has_friction()) {

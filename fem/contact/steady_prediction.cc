@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity::fem {
 
 void SteadyPrediction::remember(ContactState& before, const ContactState& after, double target) {
-  // The states before and after were solved at one target, or the change is that of a load.
-  const bool moves = target == target_;
-  target_ = target;
-  reached_.clear();
-  if (!moves) return;
+  target_before_ = std::exchange(target_, target);
   before_.take(before);
   reached_ = after.multiplier;
   motion_ = after.motion;
@@ -18,7 +15,7 @@ void SteadyPrediction::remember(ContactState& before, const ContactState& after,
 
 PathMemory SteadyPrediction::memory(const ContactState& accepted) const {
   PathMemory kept;
-  kept.target = target_;
+  kept.target = target_, kept.target_before = target_before_;
   if (reached_.empty() || reached_ != accepted.multiplier || !(motion_ == accepted.motion)) return kept;
   const auto& u = before_.displacement;
   kept.motion = before_.motion, kept.multiplier = before_.multiplier, kept.shear = before_.shear;
@@ -27,7 +24,7 @@ PathMemory SteadyPrediction::memory(const ContactState& accepted) const {
 }
 
 void SteadyPrediction::restore(const PathMemory& memory, const ContactState& accepted) {
-  target_ = memory.target;
+  target_ = memory.target, target_before_ = memory.target_before;
   reached_.clear();
   if (memory.multiplier.size() != accepted.multiplier.size() ||
       memory.displacement.size() != accepted.displacement.locally_owned_size())
@@ -41,9 +38,18 @@ void SteadyPrediction::restore(const PathMemory& memory, const ContactState& acc
 
 double SteadyPrediction::share_of_last_step(const ContactState& accepted, const RigidMotion& motion,
                                             double target) const {
-  if (target != target_ || reached_.empty() || reached_ != accepted.multiplier ||
-      !(motion_ == accepted.motion))
-    return 0;
+  if (reached_.empty() || reached_ != accepted.multiplier || !(motion_ == accepted.motion)) return 0;
+  const bool is_pressed = std::any_of(reached_.begin(), reached_.end(), [](double p) { return p > 0; });
+  if (!is_pressed) return 0;
+  // A wider turn or a far longer step leads to other asperities.
+  constexpr double same_direction = 0.9, longest = 2;
+  const bool load_changed = target_ != target_before_, load_changes = target != target_,
+             moved = !(motion_ == before_.motion), moves = !(motion == motion_);
+  if (load_changed != load_changes || moved != moves || moves == load_changes) return 0;
+  if (load_changes) {
+    const double share = (target - target_) / (target_ - target_before_);
+    return share > 0 ? std::min(longest, share) : 0;
+  }
   const auto path = [&](const RigidMotion& from, const RigidMotion& to) {
     return std::array<double, 4>{to.x - from.x, to.y - from.y, radius_ * (to.roll - from.roll),
                                  reach_ * (to.spin - from.spin)};
@@ -55,8 +61,6 @@ double SteadyPrediction::share_of_last_step(const ContactState& accepted, const 
     last_length += last[c] * last[c];
     next_length += next[c] * next[c];
   }
-  // A wider turn or a far longer step leads to other asperities.
-  constexpr double same_direction = 0.9, longest = 2;
   if (last_length == 0 || along < same_direction * std::sqrt(last_length * next_length)) return 0;
   return std::min(longest, std::sqrt(next_length / last_length));
 }

@@ -1,10 +1,12 @@
-// First guess of a step of a motion that goes on: what the last step changed, once more.
+// First guess of a step of a motion or a load that goes on: what the last step changed, once more.
 //
-// Linear extrapolation of displacement, pressure and shear along the path of the particle, each per node in
-// its body's own frame. It is a start of the iteration and no more: history, slip and work are counted from
-// the accepted state. Source: Bathe (1996), Finite Element Procedures, ch. 8.4 (a solution starts from what
-// is known of the path).
+// Linear extrapolation of displacement, pressure and shear along the path of the particle, or over the load
+// or the approach, each per node in its body's own frame. It is a start of the iteration and no more:
+// history, slip and work are counted from the accepted state. Source: Bathe (1996), Finite Element
+// Procedures, ch. 8.4 (a solution starts from what is known of the path).
 #pragma once
+
+#include <limits>
 
 #include "fem/contact/contact_state.h"
 
@@ -13,7 +15,9 @@ namespace asperity::fem {
 /// What a prediction needs of the state before the last step, for a checkpoint. Lists are empty where that
 /// step does not lead to the accepted state.
 struct PathMemory {
-  double target = 0;  ///< of the last step [N] or [m]
+  double target = 0;                                                ///< of the last step [N] or [m]
+  /// Of the one before [N] or [m]; NaN: there was none.
+  double target_before = std::numeric_limits<double>::quiet_NaN();
   RigidMotion motion;
   std::vector<double> displacement;          ///< locally owned [m]
   std::vector<double> multiplier;            ///< [Pa]
@@ -33,8 +37,9 @@ class SteadyPrediction {
   /// Remembers what memory() said, at the same accepted state.
   void restore(const PathMemory& memory, const ContactState& accepted);
 
-  /// By how much of the last step `accepted` is to move on to `motion`; 0 where it has not led there, turned
-  /// back or to another direction, or where the target was or is another [-].
+  /// By how much of the last step `accepted` is to move on to `motion` at the same target, or to another
+  /// target without motion; 0 where the last step has not led there, turned back or to another direction, or
+  /// was not of the same kind, or where nothing is pressed [-].
   double share_of_last_step(const ContactState& accepted, const RigidMotion& motion, double target) const;
 
   /// Moves displacement and multipliers of `state` on, pressures not below zero. share: as above [-].
@@ -45,7 +50,7 @@ class SteadyPrediction {
   ContactState before_;
   std::vector<double> reached_;  ///< pressures after the last step [Pa]; empty: none is remembered
   RigidMotion motion_;           ///< after the last step
-  double target_ = 0;
+  double target_ = std::numeric_limits<double>::quiet_NaN(), target_before_ = target_;
 };
 
 }  // namespace asperity::fem

@@ -47,7 +47,7 @@ void each_number(AnyCheckpoint& c, Do&& on) {
   for (auto* value : {&s.far_field, &s.lateral_far_field, &s.normal, &s.lateral, &s.torsion}) on(*value);
   auto& i = c.interface;
   on(i.time), on(i.approach);
-  on(c.path.target);
+  on(c.path.target), on(c.path.target_before);
   for (auto& part : c.parts) on(part.low), on(part.high);
   for (auto* motion : {&i.motion, &i.coupling.frames, &c.path.motion})
     on(motion->x), on(motion->y), on(motion->spin), on(motion->roll);
@@ -100,7 +100,7 @@ Checkpoint checkpoint_of(const std::string& bytes) {
 }
 
 /// To be raised with every change of what a checkpoint holds.
-constexpr const char* format = "asperity-checkpoint/9";
+constexpr const char* format = "asperity-checkpoint/10";
 
 std::string part_name(int step, int rank) {
   return "step_" + std::to_string(step) + "_rank_" + std::to_string(rank) + ".bin";

@@ -159,4 +159,29 @@ TEST(SteadyPrediction_analytic, goes_on_linearly_and_never_pulls) {
   EXPECT_EQ(after.shear[0], (std::vector<double>{22, 0}));
 }
 
+TEST(SteadyPrediction_analytic, goes_on_with_a_load_that_grows_as_it_did) {
+  test::FrictionalContact contact(coarse(std::numeric_limits<double>::infinity()));
+  const auto& level = contact.system.level();
+  fem::SteadyPrediction prediction(1.0, 0.1);
+  auto start = state_at(level, 3, 0, 0), before = state_at(level, 3, 1, 1), after = state_at(level, 3, 6, 3);
+  const fem::RigidMotion rests{3, 0, 0, 0}, moves{4, 0, 0, 0};
+  prediction.remember(start, before, 7);
+  EXPECT_EQ(prediction.share_of_last_step(before, rests, 9), 0);  // nothing says from which load
+  prediction.remember(before, after, 9);
+  EXPECT_DOUBLE_EQ(prediction.share_of_last_step(after, rests, 12), 1.5);
+  EXPECT_DOUBLE_EQ(prediction.share_of_last_step(after, rests, 90), 2);
+  EXPECT_EQ(prediction.share_of_last_step(after, rests, 8), 0);   // back
+  EXPECT_EQ(prediction.share_of_last_step(after, rests, 9), 0);   // nothing changes
+  EXPECT_EQ(prediction.share_of_last_step(after, moves, 9), 0);   // the last step did not move
+  EXPECT_EQ(prediction.share_of_last_step(after, moves, 12), 0);  // nor do both go on together
+  EXPECT_EQ(prediction.share_of_last_step(start, rests, 12), 0);  // from elsewhere
+  fem::SteadyPrediction resumed(1.0, 0.1);
+  resumed.restore(prediction.memory(after), after);
+  EXPECT_DOUBLE_EQ(resumed.share_of_last_step(after, rests, 12), 1.5);
+  auto apart = after;
+  apart.multiplier = {0, 0};
+  resumed.remember(after, apart, 11);
+  EXPECT_EQ(resumed.share_of_last_step(apart, rests, 13), 0);  // bodies apart move as they are
+}
+
 }  // namespace
