@@ -37,12 +37,13 @@ void run_conceal(const ConcealArguments& arguments) {
 std::string list_of_effects() {
   std::string text =
       "Effects by mode (outside of the catalogue in round brackets, for diagnose --case alone in square "
-      "ones):\n";
+      "ones, with --setting other_code alone in braces):\n";
   for (const Motion mode : all_modes()) {
     text += "  " + name_of(mode) + ":";
     for (const auto& effect : concealable_effects(mode)) text += " " + effect;
     for (const auto& effect : out_of_catalogue_effects(mode)) text += " (" + effect + ")";
     for (const auto& effect : effects_beside_a_case(mode)) text += " [" + effect + "]";
+    for (const auto& effect : effects_by_other_code_alone(mode)) text += " {" + effect + "}";
     text += "\n";
   }
   return text;
@@ -65,8 +66,8 @@ void add_conceal_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--setting", arguments->setting,
                       "one_load, ramp_only: experiments in which some effects are not distinguishable; "
-                      "long_hold, small_loops: in which one looks like another; other_code: yielding and "
-                      "roughness by other codes' solutions");
+                      "long_hold, small_loops: in which one looks like another; other_code: yielding, "
+                      "roughness and films by other codes' solutions");
   command->add_option("--from-case", arguments->from_case,
                       "Take the history of this solved case as truth (modes normal and sliding); --effect "
                       "then only says what it shows");

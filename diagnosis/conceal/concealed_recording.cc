@@ -15,7 +15,7 @@ using hidden::WorldRequest;
 /// Laws of the contact that exclude each other.
 const std::vector<std::vector<std::string>>& exclusive() {
   static const std::vector<std::vector<std::string>> sets{
-      {"adhesion", "adhesion_hysteresis", "bulk_plasticity", "roughness_compliance", "creep"},
+      {"adhesion", "adhesion_hysteresis", "bulk_plasticity", "roughness_compliance", "film", "creep"},
       {"partial_slip", "lateral_compliance"},
       {"partial_slip", "static_friction_peak"},
       {"partial_slip", "stick_slip"},
@@ -32,10 +32,16 @@ void check(const ConcealOptions& options) {
   std::vector<std::string> known = concealable_effects(options.mode);
   for (const auto& name : out_of_catalogue_effects(options.mode)) known.push_back(name);
   for (const auto& name : effects_beside_a_case(options.mode)) known.push_back(name);
+  const std::vector<std::string> alone = effects_by_other_code_alone(options.mode);
+  for (const auto& name : alone) known.push_back(name);
   for (const auto& effect : options.effects) {
-    if (std::find(known.begin(), known.end(), effect) != known.end()) continue;
-    throw InputError("no effect '" + effect + "' can be concealed in mode " + name_of(options.mode) + "; " +
-                     did_you_mean(effect, known));
+    if (std::find(known.begin(), known.end(), effect) == known.end())
+      throw InputError("no effect '" + effect + "' can be concealed in mode " + name_of(options.mode) + "; " +
+                       did_you_mean(effect, known));
+    if (options.setting != hidden::by_other_code &&
+        std::find(alone.begin(), alone.end(), effect) != alone.end())
+      throw InputError("'" + effect +
+                       "' is concealed by another code's solution only; add --setting other_code");
   }
   for (const auto& set : exclusive()) {
     std::vector<std::string> both;
@@ -54,14 +60,15 @@ void check(const ConcealOptions& options) {
   if (std::find(settings.begin(), settings.end(), options.setting) == settings.end())
     throw InputError("there is no setting '" + options.setting +
                      "'; there are one_load, ramp_only, long_hold, small_loops and other_code");
-  const auto is_hidden = [&](const char* effect) {
-    return std::find(options.effects.begin(), options.effects.end(), effect) != options.effects.end();
-  };
-  if (options.setting == hidden::by_other_code && !is_hidden("bulk_plasticity") &&
-      !is_hidden("roughness_compliance"))
+  const std::vector<std::string> solved = hidden::concealable_by_other_code(options.mode);
+  const bool has_one =
+      std::any_of(options.effects.begin(), options.effects.end(), [&](const std::string& effect) {
+        return std::find(solved.begin(), solved.end(), effect) != solved.end();
+      });
+  if (options.setting == hidden::by_other_code && !has_one)
     throw InputError(
-        "setting other_code has the effects bulk_plasticity and roughness_compliance by another code's "
-        "solution, and neither is concealed; add one, or leave the setting out");
+        "setting other_code has the effects bulk_plasticity, film and roughness_compliance of mode normal by "
+        "another code's solution, and none of them is concealed; add one, or leave the setting out");
 }
 
 /// Effects that are not distinguishable from those concealed by these data.
@@ -94,6 +101,14 @@ std::vector<std::string> out_of_catalogue_effects(Motion mode) {
 }
 std::vector<std::string> effects_beside_a_case(Motion mode) {
   return hidden::concealable_beside_a_case(mode);
+}
+
+std::vector<std::string> effects_by_other_code_alone(Motion mode) {
+  const std::vector<std::string> others = concealable_effects(mode);
+  std::vector<std::string> alone;
+  for (const auto& effect : hidden::concealable_by_other_code(mode))
+    if (std::find(others.begin(), others.end(), effect) == others.end()) alone.push_back(effect);
+  return alone;
 }
 
 ConcealedRecording conceal(const ConcealOptions& options) {

@@ -17,8 +17,8 @@ struct ConcealOptions {
   double noise = 0.01;               ///< standard deviation of a sample over the largest response [-]
   unsigned seed = 1;
   /// "one_load", "ramp_only": experiments in which some effects are not distinguishable; "long_hold",
-  /// "small_loops": those in which one looks like another; "other_code": yielding and roughness of a normal
-  /// contact by finite elements and half-spaces that are not those of the diagnosis.
+  /// "small_loops": those in which one looks like another; "other_code": yielding, roughness and films of a
+  /// normal contact by finite elements and half-spaces that are not those of the diagnosis.
   std::string setting;
 };
 
@@ -38,6 +38,8 @@ std::vector<std::string> concealable_effects(Motion mode);
 std::vector<std::string> out_of_catalogue_effects(Motion mode);
 /// Effects that only a case of finite elements can be told to lack (`diagnose --case`).
 std::vector<std::string> effects_beside_a_case(Motion mode);
+/// Effects that only setting other_code conceals.
+std::vector<std::string> effects_by_other_code_alone(Motion mode);
 
 /// A solved case's history as a recording of its mode with noise: the finite-element solver as truth.
 /// `folder` holds history.csv and result.json or case.prm; `effects` say what the case shows. Several cases:

@@ -19,6 +19,11 @@ bool choose_other_code(World& world, const std::string& id, const Sphere& nomina
     world.hide(id, model, "rms", between(random, 0.8e-9, 2e-9), false);
     world.hide(id, model, "rolloff", between(random, 100e-9, 200e-9), false);
     world.hide(id, model, "cutoff", between(random, 60e-9, 80e-9), false);
+  } else if (id == "film") {
+    const char* model = "layered half-space (Burmister 1945)";
+    world.hide(id, model, "modulus_ratio",
+               sign(random) < 0 ? between(random, 0.1, 0.4) : between(random, 2, 3));
+    world.hide(id, model, "thickness", between(random, 0.15, 0.6) * std::sqrt(nominal.radius * depth), false);
   } else {
     return false;
   }
@@ -33,7 +38,7 @@ NormalProgram normal_program(const WorldRequest& request, Random& random) {
   // Loads at which the physics asked for shows; the others come at any.
   double largest = between(random, 0.2e-3, 2e-3);
   if (has("adhesion") || has("adhesion_hysteresis")) largest = between(random, 40e-6, 80e-6);
-  if (has("roughness_compliance")) largest = between(random, 150e-6, 400e-6);
+  if (has("roughness_compliance") || has("film")) largest = between(random, 150e-6, 400e-6);
   if (has("bulk_plasticity")) largest = between(random, 2e-3, 3e-3);
   program.loads = {largest / 4, largest / 2, largest};
   program.off_contact = 0.6;

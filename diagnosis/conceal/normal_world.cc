@@ -25,27 +25,31 @@ MaugisDugdale adhesive_by_pull_off(const Sphere& sphere, double pull_off) {
                            unit / 2.1, unit / 1.4));
 }
 
-/// Makes the law of the contact anew for each run; a layer or a surface, which has no history, only once.
+/// Makes the law of the contact anew for each run; a layer, a surface or a film, which has no history, only
+/// once.
 class ContactLaw {
  public:
   /// depth: largest approach [m], at the force `largest` [N].
   ContactLaw(const World& world, const WorldRequest& request, Sphere sphere, double depth, double largest)
       : world_(world), by_other_code_(request.setting == by_other_code), sphere_(sphere) {
     if (world.hides("effective_radius")) sphere_.radius *= world.value("effective_radius", "radius_ratio");
+    const RecordedBody &on = world.recording.particle, &below = world.recording.substrate;
+    constexpr double beyond = 1.5;  // of the largest approach or force
+    if (world.hides("film"))
+      elastic_ = coated_half_spaces(elastic_body(on), elastic_body(below), sphere_.radius,
+                                    of("film", "modulus_ratio"), of("film", "thickness"), beyond * largest);
     const char* rough = "roughness_compliance";
     if (!world.hides(rough)) return;
     if (!by_other_code_)
-      rough_ = rough_truth(sphere_, world.value(rough, "roughness_length"), 1.5 * depth);
+      elastic_ = rough_truth(sphere_, of(rough, "roughness_length"), beyond * depth);
     else
-      rough_ = rough_half_spaces(elastic_body(world.recording.particle),
-                                 elastic_body(world.recording.substrate), sphere_.radius,
-                                 {world.value(rough, "rms"), world.value(rough, "rolloff"),
-                                  world.value(rough, "cutoff"), request.seed},
-                                 1.5 * largest);
+      elastic_ = rough_half_spaces(
+          elastic_body(on), elastic_body(below), sphere_.radius,
+          {of(rough, "rms"), of(rough, "rolloff"), of(rough, "cutoff"), request.seed}, beyond * largest);
   }
 
   std::shared_ptr<NormalTruth> law() const {
-    if (rough_) return rough_;
+    if (elastic_) return elastic_;
     if (world_.hides("adhesion"))
       return std::make_shared<AdhesiveTruth>(adhesive_by_pull_off(sphere_, of("adhesion", "pull_off_force")));
     if (world_.hides("adhesion_hysteresis"))
@@ -70,7 +74,7 @@ class ContactLaw {
   const World& world_;
   bool by_other_code_;
   Sphere sphere_;
-  std::shared_ptr<NormalTruth> rough_;
+  std::shared_ptr<NormalTruth> elastic_;  ///< rough or coated; null: none
 };
 
 class NormalRun {

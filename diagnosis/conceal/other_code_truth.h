@@ -41,4 +41,11 @@ std::unique_ptr<NormalTruth> rough_half_spaces(const ElasticBody& sphere, const 
                                                double radius, const RoughSurface& surface,
                                                double largest_force);
 
+/// A smooth sphere with an elastic film on it, likewise (Burmister 1945, half_space/compliance.h).
+/// modulus_ratio: of the reduced moduli with the film alone and of the bodies, below that of the plane alone
+/// [-]; thickness [m]. The film has the sphere's Poisson ratio.
+std::unique_ptr<NormalTruth> coated_half_spaces(const ElasticBody& sphere, const ElasticBody& plane,
+                                                double radius, double modulus_ratio, double thickness,
+                                                double largest_force);
+
 }  // namespace asperity::hidden

@@ -40,6 +40,11 @@ double World::value(const std::string& effect, const std::string& parameter) con
   return 0;
 }
 
+std::vector<std::string> concealable_by_other_code(Motion mode) {
+  if (mode == Motion::normal) return {"bulk_plasticity", "film", "roughness_compliance"};
+  return {};
+}
+
 std::vector<std::string> concealable(Motion mode) {
   switch (mode) {
     case Motion::normal:

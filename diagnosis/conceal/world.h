@@ -54,6 +54,8 @@ std::vector<std::string> concealable(Motion mode);
 std::vector<std::string> concealable_out_of_catalogue(Motion mode);
 /// Effects that only a case of finite elements can be told to lack.
 std::vector<std::string> concealable_beside_a_case(Motion mode);
+/// Effects that another code has solved; of a film that is the only truth there is.
+std::vector<std::string> concealable_by_other_code(Motion mode);
 
 /// Normal contact under a request's load.
 World normal_world(const WorldRequest& request);

@@ -196,6 +196,22 @@ TEST(OtherCodeTruth_analytic, next_to_no_roughness_leaves_hertz) {
     EXPECT_NEAR(truth->force(hertz.approach(load) - touch, 0) / load, 1, 5e-3) << load;
 }
 
+TEST(OtherCodeTruth_analytic, a_film_of_the_spheres_own_material_leaves_hertz_and_a_soft_one_gives_way) {
+  const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
+  const Hertz hertz{reduced_modulus(glass, silicon), 8.5e-6};
+  const double largest = 200e-6, thickness = 0.3 * hertz.contact_radius(largest);
+  const auto own = hidden::coated_half_spaces(glass, silicon, hertz.radius, 1, thickness, largest),
+             soft = hidden::coated_half_spaces(glass, silicon, hertz.radius, 0.2, thickness, largest);
+  for (const double load : {1e-6, 10e-6, 80e-6, 200e-6})
+    EXPECT_NEAR(own->force(hertz.approach(load), 0) / load, 1, 1e-2) << load;
+  // A small contact feels the film alone, a large one less of it (Perriot & Barthel 2004).
+  const double small = soft->force(hertz.approach(1e-6), 0) / 1e-6,
+               large = soft->force(hertz.approach(largest), 0) / largest;
+  EXPECT_GT(small, 0.2);
+  EXPECT_GT(large, 1.3 * small);
+  EXPECT_LT(large, 1);
+}
+
 TEST(OtherCodeTruth_behaviour, roughness_lets_the_bodies_come_closer_before_they_carry) {
   const ElasticBody glass{71e9, 0.17}, silicon{179e9, 0.25};
   const Hertz hertz{reduced_modulus(glass, silicon), 8.5e-6};
@@ -248,7 +264,7 @@ TEST(ConcealedRecording_behaviour, by_another_code_asks_for_an_effect_that_one_h
   const std::string words = test::message_of<InputError>([] {
     conceal(ConcealOptions{Motion::normal, {"creep"}, 0.01, 1, "other_code"});
   });
-  EXPECT_NE(words.find("neither is concealed"), std::string::npos) << words;
+  EXPECT_NE(words.find("none of them is concealed"), std::string::npos) << words;
 }
 
 }  // namespace
