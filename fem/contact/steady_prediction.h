@@ -15,7 +15,7 @@ namespace asperity::fem {
 /// What a prediction needs of the state before the last step, for a checkpoint. Lists are empty where that
 /// step does not lead to the accepted state.
 struct PathMemory {
-  double target = 0;                                                ///< of the last step [N] or [m]
+  double target = 0;  ///< of the last step [N] or [m]
   /// Of the one before [N] or [m]; NaN: there was none.
   double target_before = std::numeric_limits<double>::quiet_NaN();
   RigidMotion motion;
