@@ -52,7 +52,8 @@ class Film : public Effect {
         "f = 4/3 E_eq R^(1/2) d^(3/2), E_eq = E_f + (E* - E_f)/[1 + (t x_0/a)^1.27], a^2 = R d",
         "Perriot & Barthel 2004, J. Mater. Res. 19, 600; Gao, Chiu & Lee 1992",
         "A layer of another stiffness lies on the surface: a small contact feels the layer, a large one the "
-        "body below.",
+        "body below. By this law, and not by finite elements, its modulus and thickness may be off by a "
+        "factor of two, beyond their intervals.",
         EffectKind::contact,
         {Motion::normal},
         {},
