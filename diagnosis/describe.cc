@@ -56,13 +56,21 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
   const ModelFit known = with_intervals(problem, fit);
   const double accuracy = accuracy_of(problem, fit);
   const std::vector<double> by_mesh = shifts_by_mesh_errors(problem, fit);
+  // A pull-off force or a work of adhesion is known no better, also where the range could take its error up.
+  const auto& correction = fit.explanation->correction();
+  const double of_attraction = correction ? correction->attraction_error() : 0;
   for (std::size_t e = 0; e < effects.size(); ++e) {
     const EffectDescription& d = effects[e]->description();
     DiagnosedEffect effect{d.id, d.title, d.equation, d.source, d.meaning, d.kind, probability, {}, {}, {}};
     for (std::size_t k = 0; k < fit.values.size(); ++k) {
       const FreeParameter& free = fit.explanation->parameters()[k];
-      if (free.effect == static_cast<int>(e))
-        effect.parameters.push_back(widened(known.parameter(k, inflation), free, accuracy, by_mesh[k]));
+      if (free.effect != static_cast<int>(e)) continue;
+      const DiagnosedParameter as_fitted = known.parameter(k, inflation);
+      const bool is_size =
+          d.kind == EffectKind::contact && (as_fitted.unit == "N" || as_fitted.unit == "J/m^2");
+      const double own = is_size ? of_attraction : 0;
+      effect.parameters.push_back(
+          widened(as_fitted, free, accuracy, std::max(by_mesh[k], own * std::abs(as_fitted.value))));
     }
     list.push_back(effect);
   }

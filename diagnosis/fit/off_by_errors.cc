@@ -20,6 +20,7 @@ class Around : public BranchCorrection {
   double error() const override { return exact_->error(); }
   double limit_error(const Sample& sample) const override { return exact_->limit_error(sample); }
   double stiffness_error() const override { return exact_->stiffness_error(); }
+  double attraction_error() const override { return exact_->attraction_error(); }
   const std::vector<std::function<double(double)>>& surface_errors() const override {
     return exact_->surface_errors();
   }

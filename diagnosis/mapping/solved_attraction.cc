@@ -79,8 +79,11 @@ class SolvedAttraction : public NormalContact {
 class AttractionCorrection : public BranchCorrection {
  public:
   AttractionCorrection(std::shared_ptr<const ForceDifference> difference, double error,
-                       std::vector<ForceOff> off)
-      : difference_(std::move(difference)), error_(error), off_(std::move(off)) {}
+                       std::vector<ForceOff> off, double attraction_error)
+      : difference_(std::move(difference)),
+        error_(error),
+        off_(std::move(off)),
+        attraction_error_(attraction_error) {}
   double displacement(const Sample&, double) const override { return 0; }
   std::shared_ptr<const NormalContact> contact_for(const NormalContact& reduced) const override {
     return std::make_shared<SolvedAttraction>(reduced, difference_);
@@ -92,15 +95,18 @@ class AttractionCorrection : public BranchCorrection {
       auto difference = std::make_shared<ForceDifference>(*difference_);
       difference->loading_off = off.loading;
       difference->unloading_off = off.unloading;
-      all.push_back(std::make_shared<AttractionCorrection>(difference, error_, std::vector<ForceOff>{}));
+      all.push_back(std::make_shared<AttractionCorrection>(difference, error_, std::vector<ForceOff>{},
+                                                           attraction_error_));
     }
     return all;
   }
+  double attraction_error() const override { return attraction_error_; }
 
  private:
   std::shared_ptr<const ForceDifference> difference_;
   double error_;
   std::vector<ForceOff> off_;
+  double attraction_error_;
 };
 
 /// What the mesh makes of the attraction, one standard deviation: a part of the pull-off force as stated, and
@@ -144,8 +150,10 @@ std::shared_ptr<const BranchCorrection> attraction_of(const SolvedResponse& solv
   difference->loading.finish();
   difference->unloading.finish();
   if (std::isfinite(solved.displacement_error)) displacement_error = solved.displacement_error;
+  const double strongest = -*std::min_element(solved.force.begin(), solved.force.end());
   return std::make_shared<AttractionCorrection>(difference, displacement_error,
-                                                attraction_off(solved, returns_on_another_curve));
+                                                attraction_off(solved, returns_on_another_curve),
+                                                strongest > 0 ? solved.pull_off_error / strongest : 0.0);
 }
 
 }  // namespace asperity

@@ -77,6 +77,8 @@ class BranchCorrection {
   /// The same correction with the attraction off by one standard deviation of what its mesh makes of it; of
   /// closing and of opening apart where these are two. Empty: nothing attracts.
   virtual std::vector<std::shared_ptr<const BranchCorrection>> with_attraction_off() const { return {}; }
+  /// What the mesh makes of the attraction, as a part of it: a standard deviation [-].
+  virtual double attraction_error() const { return 0; }
   /// The same of the resistance that was solved, at a sample's normal force and surface [N]: what stands
   /// beside the solution adds nothing to it.
   virtual double limit_error(const Sample&) const { return 0; }
