@@ -56,7 +56,7 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
   const ModelFit known = with_intervals(problem, fit);
   const double accuracy = accuracy_of(problem, fit);
   const std::vector<double> by_mesh = shifts_by_mesh_errors(problem, fit);
-  // A pull-off force or a work of adhesion is known no better, also where the range could take its error up.
+  // A pull-off force or a work of adhesion is known no better, even where a refit moves the range instead.
   const auto& correction = fit.explanation->correction();
   const double of_attraction = correction ? correction->attraction_error() : 0;
   for (std::size_t e = 0; e < effects.size(); ++e) {

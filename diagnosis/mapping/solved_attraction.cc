@@ -36,7 +36,7 @@ class ForceOverApproach {
 struct ForceDifference {
   ForceOverApproach loading, unloading;
   double opens_later = 0;  ///< displacement at which it parts, minus that of the reduced law [m]
-  double loading_off = 0, unloading_off = 0;  ///< what its mesh may be off by, of each; once it is [N]
+  double loading_off = 0, unloading_off = 0;  ///< of with_attraction_off(): by how much each is off [N]
 };
 
 /// By how much the force is off, on loading and on unloading [N].
@@ -109,9 +109,9 @@ class AttractionCorrection : public BranchCorrection {
   double attraction_error_;
 };
 
-/// What the mesh makes of the attraction, one standard deviation: a part of the pull-off force as stated, and
-/// the same part of the strongest pull as it closes. Where a sphere is pressed far beyond it, attraction is a
-/// constant force, 2/3 (JKR) to 1 (DMT) of the pull-off force: the same force is taken everywhere.
+/// The discretisation error of the attraction, one standard deviation: that of the pull-off force, and the
+/// same part of the strongest pull as it closes. Far beyond first touch the attraction is a constant force,
+/// 2/3 (JKR) to 1 (DMT) of the pull-off force: the same error is taken everywhere.
 std::vector<ForceOff> attraction_off(const SolvedResponse& solved, bool returns_on_another_curve) {
   if (!(solved.pull_off_error > 0)) return {};
   if (!returns_on_another_curve) return {{solved.pull_off_error, solved.pull_off_error}};

@@ -74,16 +74,16 @@ class BranchCorrection {
   /// Standard deviation of the finite elements' own answer, of mesh and load steps, at any force: of the
   /// displacement under normal load [m], of resistance along the surface as a part of it [-].
   virtual double error() const = 0;
-  /// The same correction with the attraction off by one standard deviation of what its mesh makes of it; of
-  /// closing and of opening apart where these are two. Empty: nothing attracts.
-  virtual std::vector<std::shared_ptr<const BranchCorrection>> with_attraction_off() const { return {}; }
-  /// What the mesh makes of the attraction, as a part of it: a standard deviation [-].
-  virtual double attraction_error() const { return 0; }
   /// The same of the resistance that was solved, at a sample's normal force and surface [N]: what stands
   /// beside the solution adds nothing to it.
   virtual double limit_error(const Sample&) const { return 0; }
   /// The same of the lateral stiffness, as a part of it [-].
   virtual double stiffness_error() const { return 0; }
+  /// The same of the attraction, as a part of it [-].
+  virtual double attraction_error() const { return 0; }
+  /// This correction with the attraction off by that error; closing and opening one by one where their works
+  /// differ. Empty: nothing attracts.
+  virtual std::vector<std::shared_ptr<const BranchCorrection>> with_attraction_off() const { return {}; }
   /// What a displacement may be off by because the experiment's surface is another realisation [m], over the
   /// force [N]: each times a factor of unit variance of its own. Empty: nothing.
   virtual const std::vector<std::function<double(double force)>>& surface_errors() const {
