@@ -200,8 +200,6 @@ CaseContact contact_of_case(const CaseInput& input, const CaseContactOptions& op
   constexpr double larger = 1.3;
   double half_width =
       options.half_width > 0 ? options.half_width : derived_half_width(input, options.attraction);
-  for (const FilmOnBody& film : films_of(input))
-    half_width = std::max(half_width, 0.5 * thicknesses_on_grid * film.thickness);
   const double spacing = options.spacing > 0 ? options.spacing : derived_spacing(input, options.attraction);
   for (int enlarged = 0;; half_width *= larger) {
     if (half_width > input.radius / 2)

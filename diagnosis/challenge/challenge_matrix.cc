@@ -97,7 +97,7 @@ class Matrix {
         items_.back().name += "-" + std::string(solved.name);
         for (const char* name : solved.cases) items_.back().cases.push_back(solved_truth(name));
       }
-    for (const char* effect : {"bulk_plasticity", "roughness_compliance"})
+    for (const char* effect : {"bulk_plasticity", "roughness_compliance", "film"})
       for (const double noise : levels({0.003, 0.005, middle_noise}))
         for (int i = 0; i < (quick_ ? 1 : 2); ++i)
           add("other_code", Motion::normal, {effect}, noise, "other_code");

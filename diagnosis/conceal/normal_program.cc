@@ -23,7 +23,7 @@ bool choose_other_code(World& world, const std::string& id, const Sphere& nomina
     const char* model = "layered half-space (Burmister 1945)";
     world.hide(id, model, "modulus_ratio",
                sign(random) < 0 ? between(random, 0.1, 0.4) : between(random, 2, 3));
-    world.hide(id, model, "thickness", between(random, 0.15, 0.6) * std::sqrt(nominal.radius * depth), false);
+    world.hide(id, model, "thickness", between(random, 0.15, 0.6) * std::sqrt(nominal.radius * depth));
   } else {
     return false;
   }

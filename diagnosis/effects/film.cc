@@ -1,46 +1,44 @@
-// A thin elastic film on one of the bodies (oxide, polymer, contamination): the modulus that a contact of
-// radius a feels goes from the film's to that of the bodies as the contact grows (Perriot & Barthel
-// 2004):
-//   f = 4/3 E_eq(a) R^(1/2) d^(3/2),  a = (R d)^(1/2),  E_eq: core/coated_half_space.h.
-// The radius is that of a homogeneous body: between 1 and 2^(1/2) too small on a film much thinner than a.
+// A thin elastic film on one of the bodies (oxide, polymer, contamination): the modulus that a contact feels
+// goes from the film's to that of the bodies as the contact grows,
+//   f = 4/3 E_eq R^(1/2) d^(3/2),  E_eq(d R/t^2): diagnosis/mechanics/filmed_law.h.
+// The film lies on the softer body, on which it can change most, and has that body's Poisson ratio.
 #include <algorithm>
 #include <cmath>
 
-#include "core/coated_half_space.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/mechanics/filmed_law.h"
 
 namespace asperity {
 namespace {
 
 class CoatedContact : public NormalContact {
  public:
-  CoatedContact(const Hertz& law, double modulus_ratio, double thickness)
-      : law_(law), coated_{modulus_ratio * law.reduced_modulus, law.reduced_modulus, thickness} {}
+  CoatedContact(const Hertz& law, FilmedLaw::Curve curve, double thickness)
+      : law_(law), curve_(std::move(curve)), thickness_(thickness) {}
   std::unique_ptr<NormalContact> clone() const override { return std::make_unique<CoatedContact>(*this); }
   double force(double d) const override {
     if (d <= 0) return 0;
-    const double radius = std::sqrt(law_.radius * d);
-    return 4.0 / 3 * coated_.modulus(radius) * radius * d;
+    return curve_.modulus(d * law_.radius / (thickness_ * thickness_)) * law_.force(d);
   }
 
  private:
   Hertz law_;
-  CoatedHalfSpace coated_;
+  FilmedLaw::Curve curve_;
+  double thickness_;
 };
 
-/// The softer body of the pair, on which a film can change most, and the other.
+double alone(const ElasticBody& body) {
+  return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
+}
+
+/// The softer body of the pair, and the other.
 struct Coated {
   const char* section;
-  ElasticBody body;
-  double of_other;  ///< reduced modulus of the other body alone [Pa]
+  ElasticBody body, other;
 };
 Coated coated_of(const Experiment& e) {
-  const auto alone = [](const ElasticBody& b) {
-    return b.youngs_modulus / (1 - b.poisson_ratio * b.poisson_ratio);
-  };
-  const double particle = alone(e.particle), substrate = alone(e.substrate);
-  return particle < substrate ? Coated{"Particle", e.particle, substrate}
-                              : Coated{"Substrate", e.substrate, particle};
+  return alone(e.particle) < alone(e.substrate) ? Coated{"Particle", e.particle, e.substrate}
+                                                : Coated{"Substrate", e.substrate, e.particle};
 }
 
 class Film : public Effect {
@@ -49,11 +47,11 @@ class Film : public Effect {
     static const EffectDescription d{
         "film",
         "Thin elastic film",
-        "f = 4/3 E_eq R^(1/2) d^(3/2), E_eq = E_f + (E* - E_f)/[1 + (t x_0/a)^1.27], a^2 = R d",
-        "Perriot & Barthel 2004, J. Mater. Res. 19, 600; Gao, Chiu & Lee 1992",
+        "f = 4/3 E_eq R^(1/2) d^(3/2), E_eq(d R/t^2) from E_f at 0 to E*",
+        "Yu, Sanday & Rath 1990, J. Mech. Phys. Solids 38, 745; Perriot & Barthel 2004",
         "A layer of another stiffness lies on the surface: a small contact feels the layer, a large one the "
-        "body below. By this law, and not by finite elements, its modulus and thickness may be off by a "
-        "factor of two, beyond their intervals.",
+        "body below. It is taken to lie on the softer body, with that body's Poisson ratio. Of a thin soft "
+        "one the data show the thickness over the modulus far better than either.",
         EffectKind::contact,
         {Motion::normal},
         {},
@@ -65,10 +63,9 @@ class Film : public Effect {
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double radius = std::sqrt(e.radius * e.largest_displacement);
-    // In a case the film lies on one body, and the other keeps its own modulus.
-    constexpr double largest = 100, nearly_rigid = 0.99, stiffer = 3, most_radii = 10, of_sphere = 0.45;
-    const double high =
-        e.by_finite_elements ? nearly_rigid * coated_of(e).of_other / e.reduced_modulus() : largest;
+    // The other body keeps its own modulus.
+    constexpr double nearly_rigid = 0.99, stiffer = 3, most_radii = 10, of_sphere = 0.45;
+    const double high = nearly_rigid * alone(coated_of(e).other) / e.reduced_modulus();
     // A case takes films up to half the particle's radius: what is thicker is the body.
     const double thickest =
         e.by_finite_elements ? std::min(most_radii * radius, of_sphere * e.radius) : most_radii * radius;
@@ -99,15 +96,18 @@ class Film : public Effect {
     const Coated coated = coated_of(e);
     const double nu = coated.body.poisson_ratio;
     constexpr double as_good_as_rigid = 1e-3;
-    const double of_film = 1 / std::max(1 / (p[0] * e.reduced_modulus()) - 1 / coated.of_other,
-                                        as_good_as_rigid / coated.of_other);
+    const double of_other = alone(coated.other),
+                 of_film = 1 / std::max(1 / (p[0] * e.reduced_modulus()) - 1 / of_other,
+                                        as_good_as_rigid / of_other);
     const std::string film = std::string(coated.section) + "/Film ";
     return {{film + "thickness", p[1], "m"},
             {film + "Young modulus", of_film * (1 - nu * nu), "Pa"},
             {film + "Poisson ratio", nu, ""}};
   }
   void assemble(Mechanics& m, const double* p) const override {
-    m.normal.contact = std::make_shared<CoatedContact>(m.geometry, p[0], p[1]);
+    const Coated coated = coated_of(m.experiment);
+    m.normal.contact =
+        std::make_shared<CoatedContact>(m.geometry, filmed_law(coated.body, coated.other)->curve(p[0]), p[1]);
   }
 };
 

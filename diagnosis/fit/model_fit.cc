@@ -208,45 +208,4 @@ ModelFit finished(const FitProblem& problem, const ModelFit& fit) {
   return refitted(problem, fit, problem.samples, true, last_steps);
 }
 
-ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
-  constexpr double rise = 4;      // cost at two standard deviations
-  constexpr double nearly = 1.3;  // a parabola's width within this factor is believed
-  constexpr double widest = 64;
-  ModelFit result = fit;
-  const Explanation& explanation = *fit.explanation;
-  const auto surface = std::make_shared<LikelySurface>(problem, fit, problem.samples);
-  const Coordinates bounds = bounds_of(explanation, *surface);
-  const auto residuals = residuals_of(problem, explanation, problem.samples, surface);
-  const double inflation = std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count)));
-  const VectorXd x = coordinates_of(explanation, fit.values, *surface);
-  const double least = huber_sum(residuals(x));
-  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(fit.values.size()); ++k) {
-    const double sd = std::sqrt(std::max(0.0, fit.covariance(k, k)));
-    const VectorXd along = sd > 0 ? (fit.covariance.col(k) / sd).eval() : VectorXd::Zero(x.size()).eval();
-    const auto rise_at = [&](double deviations) {
-      const VectorXd at = (x + deviations * along).cwiseMax(bounds.low).cwiseMin(bounds.high);
-      return (huber_sum(residuals(at)) - least) / inflation;
-    };
-    std::pair<double, double> stretch{1, 1};
-    for (const int side : {-1, 1}) {
-      double& factor = side < 0 ? stretch.first : stretch.second;
-      if (!(sd > 0)) continue;
-      double low = 1, high = 1;
-      if (rise_at(2 * side) < rise) {
-        while (high < widest && rise_at(2 * side * high) < rise) low = high, high *= 2;
-      } else if (explanation.is_smooth()) {
-        while (low > 1 / widest && rise_at(2 * side * low) >= rise) high = low, low /= 2;
-      }  // else a straight way crosses a snap that a small change of the other values keeps where it is
-      while (high > nearly * low) {
-        const double middle = std::sqrt(low * high);
-        (rise_at(2 * side * middle) < rise ? low : high) = middle;
-      }
-      factor = std::sqrt(low * high);
-      if (factor > 1 / nearly && factor < nearly) factor = 1;
-    }
-    result.stretch.push_back(stretch);
-  }
-  return result;
-}
-
 }  // namespace asperity

@@ -92,8 +92,9 @@ std::vector<std::shared_ptr<const Explanation>> off_by_mesh_errors(const ModelFi
 std::shared_ptr<const Explanation> on_surface(const Explanation& explanation,
                                               const std::vector<double>& factors);
 
-/// Looks along each parameter (the others following as the covariance says) for where the cost has risen by
-/// that of two standard deviations: the parabola misleads where the response jumps, bends or meets a bound.
+/// Looks along each parameter for where the cost has risen by that of two standard deviations, the others
+/// following as the covariance says, and fitted anew where that is no parabola (Venzon & Moolgavkar 1988):
+/// it misleads where the response jumps, bends or meets a bound, and where a valley winds.
 ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit);
 
 }  // namespace asperity

@@ -25,12 +25,12 @@ struct MeshedRoughness {
 
 struct CaseSetup {
   ContactSystemOptions system;
-  double hertz_radius = 0;     ///< a of the smooth elastic contact at the largest load [m]
-  double hertz_approach = 0;   ///< its approach [m]
-  double filmed_radius = 0;    ///< the same with their films (Perriot & Barthel 2004); Hertz' without any [m]
-  double largest_radius = 0;   ///< of a smooth contact that may yield, at most [m]
-  double reduced_modulus = 0;  ///< E* [Pa]
-  double largest_load = 0;     ///< given, or Hertz' at the largest approach [N]
+  double hertz_radius = 0;                     ///< a of the smooth elastic contact at the largest load [m]
+  double hertz_approach = 0;                   ///< its approach [m]
+  double filmed_radius = 0;                    ///< the same with their films; Hertz' without any [m]
+  double largest_radius = 0;                   ///< of a smooth contact that may yield, at most [m]
+  double reduced_modulus = 0;                  ///< E* [Pa]
+  double largest_load = 0;                     ///< given, or Hertz' at the largest approach [N]
   double attraction_force = 0;                 ///< beyond the contact, which carries it beside the load [N]
   MotionScales motion;                         ///< of the steps of sliding and torsion
   double rms_particle = 0, rms_substrate = 0;  ///< of the heights within the contact region [m]

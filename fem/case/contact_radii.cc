@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "core/coated_half_space.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/materials/material_law.h"
+#include "half_space/filmed_sphere.h"
 
 namespace asperity::fem {
 namespace {
@@ -25,24 +26,15 @@ double relaxed_radius(const CaseInput& input, const CaseSetup& setup) {
 }  // namespace
 
 double filmed_contact_radius(const CaseInput& input, const CaseSetup& setup) {
-  if (!input.particle.film.is_there() && !input.substrate.film.is_there()) return setup.hertz_radius;
-  const auto alone = [](const ElasticBody& body) {
-    return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
-  };
-  double a = setup.hertz_radius;
-  constexpr int enough = 60;  // the modulus changes with less than the radius itself
-  for (int k = 0; k < enough; ++k) {
-    double compliance = 0;
-    for (const BodyInput* body : {&input.particle, &input.substrate}) {
-      const double of_body = alone(elastic_body(*body));
-      const CoatedHalfSpace coated{body->film.is_there() ? alone(elastic_film(body->film)) : of_body, of_body,
-                                   body->film.thickness};
-      compliance += 1 / (body->film.is_there() ? coated.modulus(a) : of_body);
-    }
-    if (input.experiment.control == ExperimentInput::Control::force)
-      a = std::cbrt(0.75 * setup.largest_contact_force() * input.radius * compliance);
-  }
-  return a;
+  std::vector<half_space::FilmOnBody> films;
+  for (const BodyInput* body : {&input.particle, &input.substrate})
+    if (body->film.is_there())
+      films.push_back({elastic_film(body->film), elastic_body(*body), body->film.thickness});
+  if (films.empty()) return setup.hertz_radius;
+  const half_space::FilmedSphere sphere(setup.reduced_modulus, films);
+  if (input.experiment.control == ExperimentInput::Control::force)
+    return sphere.radius_at_force(setup.largest_contact_force(), input.radius);
+  return sphere.radius_at_approach(setup.hertz_radius * setup.hertz_radius / input.radius, input.radius);
 }
 
 double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
@@ -50,17 +42,10 @@ double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   const double yield = std::min({make_material_law(input.particle).yield_stress,
                                  make_material_law(input.substrate).yield_stress,
                                  input.particle.film.yield_stress, input.substrate.film.yield_stress});
-  // On a soft film much thinner than the contact is wide it is up to the root of two wider than on a
-  // homogeneous body (Perriot & Barthel 2004).
-  const auto is_softer = [](const BodyInput& body) {
-    return body.film.is_there() && body.film.youngs_modulus < body.youngs_modulus;
-  };
-  const bool soft = is_softer(input.particle) || is_softer(input.substrate);
-  const double filmed = soft ? M_SQRT2 * setup.filmed_radius : 0;
   double flowing = std::sqrt(setup.largest_contact_force() / (M_PI * mean_pressure * yield));
   if (input.experiment.control == ExperimentInput::Control::displacement)
     flowing = std::min(flowing, piled_up * setup.hertz_radius);
-  return std::max({relaxed_radius(input, setup), flowing, filmed});
+  return std::max({relaxed_radius(input, setup), flowing, setup.filmed_radius});
 }
 
 double attracted_radius(const CaseInput& input, const CaseSetup& setup) {

@@ -9,6 +9,7 @@
 #include "diagnosis/fit/explanation.h"
 #include "diagnosis/mechanics/yielding_contact.h"
 #include "diagnosis/remarks.h"
+#include "half_space/filmed_sphere.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -47,11 +48,26 @@ TEST(Film_analytic, goes_from_the_film_to_the_body_and_is_none_of_the_same_modul
   EXPECT_NEAR(soft.normal.contact->force(1e-6 * nm) / (0.2 * law.force(1e-6 * nm)), 1, 0.01);
   EXPECT_NEAR(soft.normal.contact->force(1e6 * nm) / law.force(1e6 * nm), 1, 0.01);
   EXPECT_NEAR(same.normal.contact->force(10 * nm) / law.force(10 * nm), 1, 1e-12);
-  // Perriot & Barthel: half of the difference where a = t x_0.
-  const double contrast = std::log10(5.0),
-               x = std::pow(10, -0.093 + 0.792 * contrast + 0.05 * contrast * contrast);
-  const double d = std::pow(thickness * x, 2) / law.radius;
-  EXPECT_NEAR(soft.normal.contact->force(d) / (0.6 * law.force(d)), 1, 1e-9);
+}
+
+/// Its table is the integral equation from which it is made.
+TEST(Film_analytic, is_the_contact_of_a_sphere_with_a_film_on_the_softer_body) {
+  const double thickness = 20 * nm;
+  for (const double ratio : {0.013, 0.1, 0.7, 2.0, 3.4}) {
+    const Mechanics m = with_effect("film", {ratio, thickness});
+    const ElasticBody glass = m.experiment.particle, silicon = m.experiment.substrate;
+    const auto alone = [](const ElasticBody& b) {
+      return b.youngs_modulus / (1 - b.poisson_ratio * b.poisson_ratio);
+    };
+    ASSERT_LT(alone(glass), alone(silicon));
+    const double E = m.geometry.reduced_modulus, R = m.geometry.radius, nu = glass.poisson_ratio,
+                 film = 1 / (1 / (ratio * E) - 1 / alone(silicon));
+    const half_space::FilmedSphere exact(E, {{{film * (1 - nu * nu), nu}, glass, thickness}});
+    for (const double a : {0.005, 0.05, 0.4, 1.3, 7.0, 60.0, 800.0}) {
+      const auto contact = exact.at(a * thickness, R);
+      EXPECT_NEAR(m.normal.contact->force(contact.approach) / contact.force, 1, 3e-3) << ratio << " " << a;
+    }
+  }
 }
 
 /// Gao, Chiu & Lee (1992): first order in the contrast, for a punch on film and body of the same nu.

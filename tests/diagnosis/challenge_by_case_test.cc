@@ -7,13 +7,13 @@
 #include <set>
 
 #include "core/atomic_file.h"
-#include "core/coated_half_space.h"
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/shear_moduli.h"
 #include "diagnosis/challenge/challenge.h"
 #include "diagnosis/challenge/nominal_case.h"
 #include "diagnosis/conceal/other_code_truth.h"
+#include "half_space/filmed_sphere.h"
 #include "tests/support/tabulated_yielding.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/text.h"
@@ -205,11 +205,13 @@ TEST(OtherCodeTruth_analytic, a_film_of_the_spheres_own_material_leaves_hertz_an
              soft = hidden::coated_half_spaces(glass, silicon, hertz.radius, 0.2, thickness, largest);
   for (const double load : {1e-6, 10e-6, 80e-6, 200e-6})
     EXPECT_NEAR(own->force(hertz.approach(load), 0) / load, 1, 1e-2) << load;
-  // The force is that of the modulus that Perriot & Barthel (2004) give, to what their fit leaves.
-  const CoatedHalfSpace coated{0.2 * hertz.reduced_modulus, hertz.reduced_modulus, thickness};
+  const double of_silicon = 179e9 / (1 - 0.0625),
+               of_film = 1 / (1 / (0.2 * hertz.reduced_modulus) - 1 / of_silicon);
+  const half_space::FilmedSphere exact(hertz.reduced_modulus,
+                                       {{{of_film * (1 - 0.17 * 0.17), 0.17}, glass, thickness}});
   for (const double load : {10e-6, 80e-6, 200e-6}) {
-    const double expected = load * coated.modulus(hertz.contact_radius(load)) / hertz.reduced_modulus;
-    EXPECT_NEAR(soft->force(hertz.approach(load), 0) / expected, 1, 0.15) << load;
+    const double a = exact.radius_at_force(load, hertz.radius);
+    EXPECT_NEAR(soft->force(exact.at(a, hertz.radius).approach, 0) / load, 1, 0.01) << load;
   }
 }
 

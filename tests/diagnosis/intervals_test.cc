@@ -2,6 +2,7 @@
 // by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/fit/model_fit.h"
@@ -105,6 +106,50 @@ TEST(Intervals_analytic, of_a_parameter_are_two_standard_deviations_times_their_
   EXPECT_EQ(rows.fit.parameter(0, 1).high, p.high);
   rows.fit.covariance.resize(0, 0);
   EXPECT_EQ(rows.fit.parameter(0, 1).low, p.low);
+}
+
+/// Of a thin soft film the data show thickness over modulus far better than either: each end of an interval
+/// is where the cost, with the best of the other parameter, has risen by four.
+TEST(Intervals_analytic, end_where_the_floor_of_a_winding_valley_has_risen_by_four) {
+  const Effect& film = effect_of("film");
+  FitProblem problem;
+  problem.experiment = test::experiment(Motion::normal);
+  problem.experiment.largest_displacement = 15e-9;
+  problem.samples = test::approach_and_back(0, 15e-9, 200);
+  ModelFit fit;
+  fit.explanation =
+      std::make_shared<Explanation>(problem.experiment, problem.choice, std::vector<const Effect*>{&film});
+  fit.values = {0.23, 56e-9};
+  const std::vector<double> force = fit.simulate(problem.samples);
+  for (std::size_t i = 0; i < force.size(); ++i) problem.samples.list[i].response = force[i];
+  problem.thin = problem.samples;
+  problem.noise.sd.assign(force.size(), 0.004 * *std::max_element(force.begin(), force.end()));
+  problem.noise.shared = {{}};
+  fit = with_intervals(problem, finished(problem, fit));
+  const auto cost_at = [&](double modulus, double thickness) {
+    ModelFit at = fit;
+    at.values = {modulus, thickness};
+    double sum = 0;
+    for (const double r : at.residual(problem.samples)) sum += std::pow(r / problem.noise.sd[0], 2);
+    return sum;
+  };
+  const auto floor_at = [&](double value, bool of_modulus) {
+    double least = 1e300;
+    for (double ln = std::log(0.02); ln < std::log(3); ln += 0.002)
+      least = std::min(
+          least, of_modulus ? cost_at(value, std::exp(ln) * 56e-9) : cost_at(std::exp(ln) * 0.23, value));
+    return least;
+  };
+  ASSERT_EQ(fit.values.size(), 2u);
+  EXPECT_GT(fit.stretch[0].first, 1.5);
+  for (const std::size_t k : {0u, 1u}) {
+    const DiagnosedParameter p = fit.parameter(k, 1);
+    for (const double end : {p.low, p.high}) {
+      const double rise = floor_at(end, k == 0);
+      EXPECT_GT(rise, 4 / 1.7) << p.name << " " << end;
+      EXPECT_LT(rise, 4 * 1.7) << p.name << " " << end;
+    }
+  }
 }
 
 TEST(Intervals_analytic, of_a_fit_are_those_of_the_mean_of_its_rows) {

@@ -11,7 +11,6 @@
 #include <random>
 #include <set>
 
-#include "core/coated_half_space.h"
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/topography_spec.h"
@@ -21,6 +20,7 @@
 #include "diagnosis/conceal/rough_layer.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/coated_half_space.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
