@@ -15,7 +15,8 @@ using hidden::WorldRequest;
 /// Laws of the contact that exclude each other.
 const std::vector<std::vector<std::string>>& exclusive() {
   static const std::vector<std::vector<std::string>> sets{
-      {"adhesion", "adhesion_hysteresis", "bulk_plasticity", "roughness_compliance", "film", "creep"},
+      {"adhesion", "adhesion_hysteresis", "bulk_plasticity", "roughness_compliance", "film", "creep",
+       "capillary", "viscoelasticity"},
       {"partial_slip", "lateral_compliance"},
       {"partial_slip", "static_friction_peak"},
       {"partial_slip", "stick_slip"},

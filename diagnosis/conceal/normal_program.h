@@ -11,7 +11,8 @@ namespace asperity::hidden {
 struct NormalProgram {
   std::vector<double> loads;                  ///< of an elastic sphere at the end of each run's path [N]
   double off_contact = 0;                     ///< path before touch, over the largest approach [-]
-  double load_time = 10, hold_time = 10;      ///< [s]
+  double load_time = 10, hold_time = 10;      ///< of the first run [s]
+  double slower = 1;                          ///< each run takes so many times as long as the one before [-]
   int load_samples = 110, hold_samples = 40;  ///< of a ramp and of a hold
   bool unloads = true, controls_force = false;
 };

@@ -4,8 +4,6 @@
 #include <cmath>
 
 namespace asperity::hidden {
-namespace {}  // namespace
-
 double HystereticTruth::force(double approach, double) const {
   if (approach >= turn_) return closing_.advance(state_, approach).force;
   const double pinned =

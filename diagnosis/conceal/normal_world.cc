@@ -4,9 +4,11 @@
 #include <memory>
 
 #include "core/hertz.h"
+#include "diagnosis/conceal/bridged_sphere.h"
 #include "diagnosis/conceal/normal_program.h"
 #include "diagnosis/conceal/normal_truth.h"
 #include "diagnosis/conceal/other_code_truth.h"
+#include "diagnosis/conceal/relaxing_sphere.h"
 #include "diagnosis/conceal/world.h"
 
 namespace asperity::hidden {
@@ -31,7 +33,7 @@ class ContactLaw {
  public:
   /// depth: largest approach [m], at the force `largest` [N].
   ContactLaw(const World& world, const WorldRequest& request, Sphere sphere, double depth, double largest)
-      : world_(world), by_other_code_(request.setting == by_other_code), sphere_(sphere) {
+      : world_(world), by_other_code_(request.setting == by_other_code), sphere_(sphere), depth_(depth) {
     if (world.hides("effective_radius")) sphere_.radius *= world.value("effective_radius", "radius_ratio");
     const RecordedBody &on = world.recording.particle, &below = world.recording.substrate;
     constexpr double beyond = 1.5;  // of the largest approach or force
@@ -62,6 +64,13 @@ class ContactLaw {
       return std::make_shared<PlasticTruth>(sphere_.reduced_modulus, sphere_.radius, 0.17, yield_stress);
     if (world_.hides("creep"))
       return std::make_shared<CreepingTruth>(sphere_, of("creep", "amplitude"), of("creep", "time_constant"));
+    constexpr double softened = 4;  // of the largest approach, for a force that is held as the body relaxes
+    if (world_.hides("viscoelasticity"))
+      return std::make_shared<RelaxingSphere>(sphere_, of("viscoelasticity", "share"),
+                                              of("viscoelasticity", "time_constant"), softened * depth_);
+    if (world_.hides("capillary"))
+      return std::make_shared<BridgedSphere>(sphere_, of("capillary", "pull_off_force"),
+                                             of("capillary", "rupture_distance"));
     return std::make_shared<ElasticTruth>(sphere_);
   }
 
@@ -74,6 +83,7 @@ class ContactLaw {
   const World& world_;
   bool by_other_code_;
   Sphere sphere_;
+  double depth_;
   std::shared_ptr<NormalTruth> elastic_;  ///< rough or coated; null: none
 };
 
@@ -182,6 +192,7 @@ World normal_world(const WorldRequest& request) {
     const double depth = nominal.approach_of(nominal.contact_radius_at_force(load));
     const double start = program.controls_force ? 0.01 * load : -program.off_contact * deepest,
                  end = program.controls_force ? load : depth;
+    const double ramp = program.load_time * std::pow(program.slower, number - 1);
     double t = 0;
     const auto sample = [&](double value, const std::string& segment) {
       const bool is_loading = segment == "load";
@@ -195,11 +206,10 @@ World normal_world(const WorldRequest& request) {
       table.segment.push_back(segment);
     };
     const int n = program.load_samples;
-    for (int i = 0; i < n; ++i, t += program.load_time / n)
-      sample(start + (end - start) * (i + 0.5) / n, "load");
+    for (int i = 0; i < n; ++i, t += ramp / n) sample(start + (end - start) * (i + 0.5) / n, "load");
     for (int i = 0; i < program.hold_samples; ++i, t += program.hold_time / program.hold_samples)
       sample(end, "hold");
-    for (int i = 0; program.unloads && i < n; ++i, t += program.load_time / n)
+    for (int i = 0; program.unloads && i < n; ++i, t += ramp / n)
       sample(end - (end - start) * (i + 0.5) / n, "unload");
   }
   world.recording.tables = {table};

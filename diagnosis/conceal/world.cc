@@ -58,7 +58,9 @@ std::vector<std::string> concealable(Motion mode) {
               "creep",
               "baseline_tilt",
               "adhesion_hysteresis",
-              "pop_in"};
+              "pop_in",
+              "capillary",
+              "viscoelasticity"};
     case Motion::sliding:
       return {"lateral_compliance",
               "adhesion_offset",

@@ -9,40 +9,10 @@
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/mechanics/attraction_in_case.h"
 #include "diagnosis/mechanics/contact_on_law.h"
+#include "diagnosis/mechanics/maugis_contact.h"
 
 namespace asperity {
 namespace {
-
-class MaugisContact : public NormalContact {
- public:
-  MaugisContact(const Hertz& law, double pull_off, double alpha)
-      : branch_(maugis_branch(lambda_of_transition(alpha))) {
-    force_ = pull_off / branch_->pull_off();
-    const double stiffness = 4.0 / 3 * law.reduced_modulus;
-    approach_ = std::cbrt(std::pow(force_ / stiffness, 2) / law.radius);
-  }
-  std::unique_ptr<NormalContact> clone() const override { return std::make_unique<MaugisContact>(*this); }
-  double release() const override { return approach_ * branch_->release(); }
-  double force(double d) const override {
-    return d < (touching_ ? release() : 0) ? 0 : force_ * branch_->force(d / approach_);
-  }
-  double displacement(double force) const override {
-    if (force <= (touching_ ? -force_ * branch_->pull_off() : 0.0))
-      return std::numeric_limits<double>::quiet_NaN();
-    return approach_ * branch_->approach(force / force_);
-  }
-  double parting() const override { return approach_ * branch_->parting(); }
-  double held_force(double d) const override {
-    const double place = std::max(d, parting()) / approach_;
-    return force_ * (place < branch_->release() ? branch_->force_apart(place) : branch_->force(place));
-  }
-  void accept(double d) override { touching_ = d >= (touching_ ? release() : 0); }
-
- private:
-  std::shared_ptr<const MaugisBranch> branch_;
-  double force_, approach_;  ///< Maugis' units [N], [m]
-  bool touching_ = false;
-};
 
 /// A constant attraction on any law, while that law presses.
 class AttractedContact : public ContactOnLaw {
@@ -57,6 +27,11 @@ class AttractedContact : public ContactOnLaw {
  private:
   double pull_off_;
 };
+
+MaugisContact contact_of(const Hertz& law, const double* p) {
+  const double lambda = lambda_of_transition(p[1]);
+  return {law, p[0] / maugis_branch(lambda)->pull_off(), lambda};
+}
 
 class Adhesion : public Effect {
  public:
@@ -123,12 +98,12 @@ class Adhesion : public Effect {
     return changes;
   }
   double opening_distance(const Experiment& e, const double* p) const override {
-    const MaugisContact contact(e.hertz(), p[0], p[1]);
+    const MaugisContact contact = contact_of(e.hertz(), p);
     return std::abs(contact.release()) + case_changes(e, p)[1].value;
   }
   void assemble(Mechanics& m, const double* p) const override {
     if (const Hertz* law = m.normal.contact->hertz())
-      m.normal.contact = std::make_shared<MaugisContact>(*law, p[0], p[1]);
+      m.normal.contact = std::make_shared<MaugisContact>(contact_of(*law, p));
     else
       m.normal.contact = std::make_shared<AttractedContact>(*m.normal.contact, p[0]);
   }

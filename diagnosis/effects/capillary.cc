@@ -1,17 +1,43 @@
 // A liquid bridge between the bodies: it forms when they touch and pulls with the suction of its curved
-// surface until it ruptures. At constant suction (in equilibrium with the vapour: Kelvin), between sphere and
-// plane
-//   f = f_law(d) - h (1 - g/g_r),  g = max(0, -d) <= g_r = 2 r_K cos(theta),  h = 4 pi R gamma cos(theta).
+// surface until it ruptures. The suction is constant (in equilibrium with the vapour: Kelvin) out to the gap
+// g_r = 2 r_K cos(theta) in which that surface stands, as Maugis' stress (1992; Maugis & Gauthier-Manuel
+// 1994): with h = 4 pi R gamma cos(theta) the contact is his of s0 = h/(2 pi R g_r) and w = s0 g_r, and
+// surfaces a gap g apart are pulled by f = -h (1 - g/g_r).
+// On a law other than Hertz' it pulls by h while they touch (Derjaguin, Muller & Toporov 1975).
 #include <algorithm>
 #include <cmath>
 
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/mechanics/attraction_in_case.h"
 #include "diagnosis/mechanics/contact_on_law.h"
+#include "diagnosis/mechanics/maugis_contact.h"
 
 namespace asperity {
 namespace {
 
+/// On Hertz' law.
+class BridgedHertz : public NormalContact {
+ public:
+  BridgedHertz(const Hertz& law, double pull, double rupture)
+      : held_(law, pull / 2, lambda_of(law, pull, rupture)) {}
+  std::unique_ptr<NormalContact> clone() const override { return std::make_unique<BridgedHertz>(*this); }
+  double release() const override { return held_.parting(); }
+  double force(double d) const override { return is_bridged_at(d) ? held_.held_force(d) : 0; }
+  void accept(double d) override { is_bridged_ = is_bridged_at(d); }
+
+ private:
+  static double lambda_of(const Hertz& law, double pull, double rupture) {
+    constexpr double largest = 10;  // as good as infinite
+    const double work = pull / (2 * M_PI * law.radius), stiffness = 4.0 / 3 * law.reduced_modulus;
+    return std::min(largest,
+                    2 * work / rupture * std::cbrt(law.radius / (M_PI * work * stiffness * stiffness)));
+  }
+  bool is_bridged_at(double d) const { return d >= (is_bridged_ ? release() : 0); }
+  MaugisContact held_;
+  bool is_bridged_ = false;
+};
+
+/// On any law.
 class BridgedContact : public ContactOnLaw {
  public:
   BridgedContact(const NormalContact& law, double pull, double rupture)
@@ -39,10 +65,11 @@ class Capillary : public Effect {
     static const EffectDescription d{
         "capillary",
         "Liquid bridge",
-        "f = f_law(d) - h (1 - g/g_r), g = max(0, -d) < g_r, from the first touch on",
-        "Butt & Kappl 2009 (normal capillary forces); Israelachvili 2011, ch. 17; Kelvin 1871",
-        "Water condenses where the surfaces are near: it pulls with a constant force while they touch and "
-        "over a distance of twice the Kelvin radius after they part.",
+        "f = f_M(d; s_0 = h/(2 pi R g_r), w = s_0 g_r), apart f = -h (1 - g/g_r), g < g_r, from the first "
+        "touch on",
+        "Maugis & Gauthier-Manuel 1994; Butt & Kappl 2009 (normal capillary forces); Kelvin 1871",
+        "Water condenses where the surfaces are near: its suction pulls on them around the contact, and over "
+        "a distance of twice the Kelvin radius after they part.",
         EffectKind::contact,
         {Motion::normal},
         {},
@@ -82,7 +109,10 @@ class Capillary : public Effect {
     return end_of_attraction * p[1];
   }
   void assemble(Mechanics& m, const double* p) const override {
-    m.normal.contact = std::make_shared<BridgedContact>(*m.normal.contact, p[0], p[1]);
+    if (const Hertz* law = m.normal.contact->hertz())
+      m.normal.contact = std::make_shared<BridgedHertz>(*law, p[0], p[1]);
+    else
+      m.normal.contact = std::make_shared<BridgedContact>(*m.normal.contact, p[0], p[1]);
   }
 };
 

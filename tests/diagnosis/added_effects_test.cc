@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_compare/laws/maugis_dugdale.h"
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/describe.h"
 #include "diagnosis/fit/explanation.h"
@@ -112,14 +113,34 @@ TEST(SlidingTrace_analytic, reads_the_phase_of_a_saw_tooth_off_each_segment) {
 
 TEST(Capillary_analytic, pulls_from_touch_to_rupture_and_forms_only_on_touch) {
   const Mechanics m = with_effect("capillary", {20 * uN, 4 * nm});
+  const Hertz law = m.geometry;
+  const MaugisDugdale maugis{law.reduced_modulus, law.radius, 20 * uN / (2 * M_PI * law.radius),
+                             20 * uN / (2 * M_PI * law.radius) / (4 * nm)};
   const auto contact = m.normal.contact->clone();
   EXPECT_EQ(contact->force(-1 * nm), 0);
   contact->accept(2 * nm);
-  EXPECT_NEAR(contact->force(2 * nm), m.geometry.force(2 * nm) - 20 * uN, 1e-12);
-  EXPECT_NEAR(contact->force(-1 * nm), -15 * uN, 1e-12);
-  EXPECT_EQ(contact->force(-4.01 * nm), 0);
+  for (const double d : {1 * nm, 5 * nm, 20 * nm})
+    EXPECT_NEAR(contact->force(d), maugis.advance({}, d).force, 1e-4 * 20 * uN) << d;
+  // Of surfaces apart it acts on a disc whose edge it draws out by 4/pi s c/E* (Johnson 1985, eq. 3.29).
+  const double out = 4 / M_PI * maugis.cohesive_stress / law.reduced_modulus * law.radius,
+               disc = out + std::sqrt(out * out + 2 * law.radius * 3 * nm);
+  EXPECT_NEAR(contact->force(-1 * nm), -maugis.cohesive_stress * M_PI * disc * disc, 1e-3 * 20 * uN);
+  EXPECT_NEAR(contact->release(), -4 * nm - 0.5 * out * out / law.radius, 0.001 * nm);
+  EXPECT_EQ(contact->force(-4.2 * nm), 0);
   contact->accept(-5 * nm);
   EXPECT_EQ(contact->force(-1 * nm), 0);
+}
+
+/// On another law it is a constant force while they touch.
+TEST(Capillary_analytic, pulls_on_a_film_as_on_any_law) {
+  Mechanics m = with_effect("film", {0.3, 20 * nm});
+  const double bridge[] = {20 * uN, 4 * nm};
+  const auto filmed = m.normal.contact->clone();
+  effect_of("capillary").assemble(m, bridge);
+  const auto contact = m.normal.contact->clone();
+  contact->accept(2 * nm);
+  EXPECT_NEAR(contact->force(2 * nm), filmed->force(2 * nm) - 20 * uN, 1e-12);
+  EXPECT_NEAR(contact->force(-1 * nm), -15 * uN, 1e-12);
 }
 
 TEST(Electrostatic_analytic, is_pi_eps_U_squared_R_over_z_near_the_plane) {

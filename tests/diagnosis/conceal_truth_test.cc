@@ -5,10 +5,13 @@
 
 #include "core/hertz.h"
 #include "dem_compare/laws/mindlin_deresiewicz.h"
+#include "diagnosis/conceal/bridged_sphere.h"
 #include "diagnosis/conceal/instrument_noise.h"
 #include "diagnosis/conceal/masing_contact.h"
 #include "diagnosis/conceal/normal_truth.h"
+#include "diagnosis/conceal/relaxing_sphere.h"
 #include "diagnosis/conceal/rough_layer.h"
+#include "diagnosis/mechanics/relaxing_contact.h"
 
 namespace asperity::hidden {
 namespace {
@@ -81,6 +84,51 @@ TEST(ConcealedTruth_analytic, a_held_load_creeps_by_its_share_with_its_time_cons
     creeping.take(d, step);
     EXPECT_NEAR(d / 10e-9, 1 + share * (1 - std::exp(-t / tau)), 1e-6);
   }
+}
+
+TEST(ConcealedTruth_analytic, a_body_that_relaxes_goes_from_hertz_to_what_is_left_of_it) {
+  constexpr double share = 0.4, tau = 5, d = 10e-9;
+  const double hertz = Hertz{E, R}.force(d);
+  RelaxingSphere relaxing(sphere, share, tau, 20e-9);
+  EXPECT_NEAR(relaxing.force(d, 0) / hertz, 1, 2e-3);
+  relaxing.take(d, 0);
+  for (const double time : {0.5, 3.0, 20.0})
+    EXPECT_NEAR(relaxing.force(d, time) / hertz, 1 - share + share * std::exp(-time / tau), 2e-3) << time;
+  relaxing.take(d, 3);
+  EXPECT_EQ(relaxing.force(0, 1e-6), 0);  // its surface has not come back
+}
+
+/// The hereditary integral (Lee & Radok 1960; Ting 1966), which the row of springs never takes.
+TEST(ConcealedTruth_other_code, a_body_that_relaxes_is_that_of_ting_there_and_back) {
+  constexpr double share = 0.5, tau = 4, deepest = 10e-9;
+  RelaxingSphere row(sphere, share, tau, 1.5 * deepest);
+  RelaxingContact ting({E, R}, RelaxingModulus{RelaxingPart{share, tau}});
+  constexpr int steps = 400;
+  constexpr double step = 10.0 / steps;
+  const double largest = Hertz{E, R}.force(deepest);
+  ting.begin_step(0), ting.accept(0), row.take(0, 0);
+  for (int i = 1; i <= 2 * steps; ++i) {
+    const double d = deepest * (i <= steps ? i : 2 * steps - i) / steps;
+    ting.begin_step(step);
+    EXPECT_NEAR(row.force(d, step), ting.force(d), 5e-3 * largest) << i;
+    ting.accept(d), row.take(d, step);
+  }
+}
+
+TEST(ConcealedTruth_analytic, a_bridge_forms_at_touch_and_pulls_to_where_it_ruptures) {
+  constexpr double pull = 4e-6, rupture = 4e-9;
+  const MaugisDugdale maugis{E, R, pull / (2 * pi * R), pull / (2 * pi * R * rupture)};
+  BridgedSphere bridge(sphere, pull, rupture);
+  EXPECT_EQ(bridge.force(-1e-9, 0), 0);  // there is none before they touch
+  bridge.take(-1e-9, 0);
+  bridge.take(2e-9, 0);
+  for (const double d : {0.5e-9, 2e-9, 5e-9})
+    EXPECT_DOUBLE_EQ(bridge.force(d, 0), maugis.advance({}, d).force) << d;
+  // Derjaguin's, and what the bodies are drawn out by 0.4 nm over the ring.
+  for (const double gap : {0.5e-9, 2e-9, 3.9e-9})
+    EXPECT_NEAR(bridge.force(-gap, 0), -pull * (1 - gap / rupture), 0.03 * pull) << gap;
+  bridge.take(-4.1e-9, 0);
+  EXPECT_EQ(bridge.force(-2e-9, 0), 0);
 }
 
 TEST(ConcealedTruth_other_code, masings_loop_is_that_of_mindlin_and_deresiewicz) {
