@@ -15,6 +15,14 @@
 namespace asperity {
 namespace {
 
+/// Maugis' of a bridge on Hertz' contact [-].
+double lambda_of(const Hertz& law, double pull, double rupture) {
+  constexpr double largest = 10;  // as good as infinite
+  const double work = pull / (2 * M_PI * law.radius), stiffness = 4.0 / 3 * law.reduced_modulus;
+  return std::min(largest,
+                  2 * work / rupture * std::cbrt(law.radius / (M_PI * work * stiffness * stiffness)));
+}
+
 /// On Hertz' law.
 class BridgedHertz : public NormalContact {
  public:
@@ -26,12 +34,6 @@ class BridgedHertz : public NormalContact {
   void accept(double d) override { is_bridged_ = is_bridged_at(d); }
 
  private:
-  static double lambda_of(const Hertz& law, double pull, double rupture) {
-    constexpr double largest = 10;  // as good as infinite
-    const double work = pull / (2 * M_PI * law.radius), stiffness = 4.0 / 3 * law.reduced_modulus;
-    return std::min(largest,
-                    2 * work / rupture * std::cbrt(law.radius / (M_PI * work * stiffness * stiffness)));
-  }
   bool is_bridged_at(double d) const { return d >= (is_bridged_ ? release() : 0); }
   MaugisContact held_;
   bool is_bridged_ = false;
@@ -92,6 +94,16 @@ class Capillary : public Effect {
              true,
              {std::max(0.03 * range, least), std::max(0.1 * range, 1.5 * least),
               std::max(0.3 * range, 2 * least)}}};
+  }
+  /// A suction so strong that the contact breaks before surfaces apart are pulled is that of any attraction.
+  bool is_itself(const Experiment& e, const double* p) const override {
+    constexpr double least_part = 0.25;
+    const auto branch = maugis_branch(lambda_of(e.hertz(), p[0], p[1]));
+    return branch->release() - branch->parting() > least_part * -branch->parting();
+  }
+  SimplerForm simpler_form(const Experiment& e, const double* p) const override {
+    const double lambda = lambda_of(e.hertz(), p[0], p[1]);
+    return {"adhesion", {{p[0] / 2 * maugis_branch(lambda)->pull_off(), transition_of_lambda(lambda)}}};
   }
   EntersBy enters_by(const Experiment& e) const override {
     return e.case_attracts() ? EntersBy::reduced_law_only : EntersBy::finite_elements;

@@ -64,8 +64,8 @@ class Film : public Effect {
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
     const double radius = std::sqrt(e.radius * e.largest_displacement);
     // The other body keeps its own modulus.
-    constexpr double nearly_rigid = 0.99, stiffer = 3, most_radii = 10, of_sphere = 0.45;
-    const double high = nearly_rigid * alone(coated_of(e).other) / e.reduced_modulus();
+    constexpr double largest = 100, nearly_rigid = 0.99, stiffer = 3, most_radii = 10, of_sphere = 0.45;
+    const double high = std::min(largest, nearly_rigid * alone(coated_of(e).other) / e.reduced_modulus());
     // A case takes films up to half the particle's radius: what is thicker is the body.
     const double thickest =
         e.by_finite_elements ? std::min(most_radii * radius, of_sphere * e.radius) : most_radii * radius;

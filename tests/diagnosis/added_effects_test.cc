@@ -131,6 +131,27 @@ TEST(Capillary_analytic, pulls_from_touch_to_rupture_and_forms_only_on_touch) {
   EXPECT_EQ(contact->force(-1 * nm), 0);
 }
 
+/// Where the contact breaks before surfaces apart are pulled, nothing tells it from an adhesion of that
+/// range.
+TEST(Capillary_analytic, of_a_strong_suction_is_the_adhesion_of_its_range) {
+  const Effect &bridge = effect_of("capillary"), &adhesion = effect_of("adhesion");
+  const Experiment e = test::experiment(Motion::normal);
+  const double weak[] = {5 * uN, 4 * nm}, strong[] = {11 * uN, 0.57 * nm};
+  EXPECT_TRUE(bridge.is_itself(e, weak));
+  EXPECT_FALSE(bridge.is_itself(e, strong));
+  const SimplerForm form = bridge.simpler_form(e, strong);
+  ASSERT_EQ(form.effect, "adhesion");
+  ASSERT_EQ(form.starts.size(), 1u);
+  Mechanics bridged = baseline_mechanics(e, {}), adhesive = bridged;
+  bridge.assemble(bridged, strong);
+  adhesion.assemble(adhesive, form.starts[0].data());
+  const auto one = bridged.normal.contact->clone(), other = adhesive.normal.contact->clone();
+  one->accept(1 * nm), other->accept(1 * nm);
+  for (const double d : {-0.3 * nm, 0.5 * nm, 8 * nm})
+    EXPECT_NEAR(one->force(d), other->force(d), 1e-6 * 11 * uN) << d;
+  EXPECT_NEAR(one->release() / other->release(), 1, 1e-6);
+}
+
 /// On another law it is a constant force while they touch.
 TEST(Capillary_analytic, pulls_on_a_film_as_on_any_law) {
   Mechanics m = with_effect("film", {0.3, 20 * nm});
