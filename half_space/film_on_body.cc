@@ -11,17 +11,13 @@
 namespace asperity::half_space {
 namespace {
 
-double alone(const ElasticBody& body) {
-  return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
-}
-
 double modulus_of_films(double modulus, const std::vector<FilmOnBody>& films) {
   if (!(modulus > 0) || !std::isfinite(modulus))
     throw InputError("a half-space needs a finite modulus above 0");
   double compliance = 1 / modulus;
   for (const FilmOnBody& film : films) {
     if (!(film.thickness > 0)) throw InputError("a film needs a thickness above 0");
-    compliance += 1 / alone(film.film) - 1 / alone(film.body);
+    compliance += 1 / modulus_alone(film.film) - 1 / modulus_alone(film.body);
   }
   return 1 / compliance;
 }
@@ -35,7 +31,7 @@ Lengths lengths_of(const std::vector<FilmOnBody>& films) {
   Lengths l;
   for (const FilmOnBody& film : films) {
     constexpr double least = 0.2, most = 12, stiffest = 300;
-    const double contrast = std::clamp(alone(film.film) / alone(film.body), 1.0, stiffest);
+    const double contrast = std::clamp(modulus_alone(film.film) / modulus_alone(film.body), 1.0, stiffest);
     l.shortest = std::min(l.shortest, least * film.thickness);
     l.longest = std::max(l.longest, most * contrast * film.thickness);
   }

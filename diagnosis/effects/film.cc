@@ -7,9 +7,12 @@
 
 #include "diagnosis/catalogue/effect.h"
 #include "diagnosis/mechanics/filmed_law.h"
+#include "half_space/film_on_body.h"
 
 namespace asperity {
 namespace {
+
+using half_space::modulus_alone;
 
 class CoatedContact : public NormalContact {
  public:
@@ -27,18 +30,15 @@ class CoatedContact : public NormalContact {
   double thickness_;
 };
 
-double alone(const ElasticBody& body) {
-  return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
-}
-
 /// The softer body of the pair, and the other.
 struct Coated {
   const char* section;
   ElasticBody body, other;
 };
 Coated coated_of(const Experiment& e) {
-  return alone(e.particle) < alone(e.substrate) ? Coated{"Particle", e.particle, e.substrate}
-                                                : Coated{"Substrate", e.substrate, e.particle};
+  return modulus_alone(e.particle) < modulus_alone(e.substrate)
+             ? Coated{"Particle", e.particle, e.substrate}
+             : Coated{"Substrate", e.substrate, e.particle};
 }
 
 class Film : public Effect {
@@ -65,7 +65,8 @@ class Film : public Effect {
     const double radius = std::sqrt(e.radius * e.largest_displacement);
     // The other body keeps its own modulus.
     constexpr double largest = 100, nearly_rigid = 0.99, stiffer = 3, most_radii = 10, of_sphere = 0.45;
-    const double high = std::min(largest, nearly_rigid * alone(coated_of(e).other) / e.reduced_modulus());
+    const double high =
+        std::min(largest, nearly_rigid * modulus_alone(coated_of(e).other) / e.reduced_modulus());
     // A case takes films up to half the particle's radius: what is thicker is the body.
     const double thickest =
         e.by_finite_elements ? std::min(most_radii * radius, of_sphere * e.radius) : most_radii * radius;
@@ -96,7 +97,7 @@ class Film : public Effect {
     const Coated coated = coated_of(e);
     const double nu = coated.body.poisson_ratio;
     constexpr double as_good_as_rigid = 1e-3;
-    const double of_other = alone(coated.other),
+    const double of_other = modulus_alone(coated.other),
                  of_film = 1 / std::max(1 / (p[0] * e.reduced_modulus()) - 1 / of_other,
                                         as_good_as_rigid / of_other);
     const std::string film = std::string(coated.section) + "/Film ";

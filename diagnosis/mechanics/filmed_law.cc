@@ -10,19 +10,17 @@
 namespace asperity {
 namespace {
 
+using half_space::modulus_alone;
+
 constexpr double contrast_step = 0.35;  // of ln E_film/E_body
 /// Of ln(d R/t^2): contacts from a fiftieth of the thickness to a thousand of it wide.
 constexpr double first_reach = -7.8, reach_step = 0.5;
 constexpr int reaches = 44;
 
-double alone(const ElasticBody& body) {
-  return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
-}
-
 }  // namespace
 
 FilmedLaw::FilmedLaw(const ElasticBody& coated, double of_other)
-    : coated_(coated), of_other_(of_other), bare_(1 / (1 / alone(coated) + 1 / of_other)) {}
+    : coated_(coated), of_other_(of_other), bare_(1 / (1 / modulus_alone(coated) + 1 / of_other)) {}
 
 const std::vector<double>& FilmedLaw::row(int contrast) const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -48,7 +46,7 @@ const std::vector<double>& FilmedLaw::row(int contrast) const {
 /// Between four contrasts by the cubic through them.
 FilmedLaw::Curve FilmedLaw::curve(double of_film) const {
   const double film = 1 / (1 / (of_film * bare_) - 1 / of_other_),
-               place = std::log(film / alone(coated_)) / contrast_step;
+               place = std::log(film / modulus_alone(coated_)) / contrast_step;
   const int from = static_cast<int>(std::floor(place)) - 1;
   const double x = place - from - 1;
   const std::array<double, 4> weights{-x * (x - 1) * (x - 2) / 6, (x + 1) * (x - 1) * (x - 2) / 2,
@@ -82,8 +80,8 @@ std::shared_ptr<const FilmedLaw> filmed_law(const ElasticBody& coated, const Ela
   static std::mutex mutex;
   static std::map<std::tuple<double, double, double>, std::shared_ptr<const FilmedLaw>> laws;
   const std::lock_guard<std::mutex> lock(mutex);
-  auto& law = laws[{coated.youngs_modulus, coated.poisson_ratio, alone(other)}];
-  if (!law) law = std::make_shared<const FilmedLaw>(coated, alone(other));
+  auto& law = laws[{coated.youngs_modulus, coated.poisson_ratio, modulus_alone(other)}];
+  if (!law) law = std::make_shared<const FilmedLaw>(coated, modulus_alone(other));
   return law;
 }
 

@@ -16,10 +16,6 @@ namespace {
 using test::Largest;
 using test::Verified;
 
-double alone(const ElasticBody& body) {
-  return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
-}
-
 TEST(FilmedSphere_analytic, of_the_body_s_own_material_or_without_a_film_is_that_of_hertz) {
   const ElasticBody glass{71e9, 0.17};
   const double E = 50e9, R = 8.5e-6, a = 200e-9;
@@ -36,10 +32,11 @@ TEST(FilmedSphere_analytic, of_the_body_s_own_material_or_without_a_film_is_that
 TEST(FilmedSphere_analytic, a_small_contact_feels_the_film_and_a_wide_one_the_body) {
   const ElasticBody body{100e9, 0.25};
   for (const double contrast : {0.05, 0.3, 4.0, 50.0}) {
-    const FilmedSphere sphere(alone(body), {{{contrast * body.youngs_modulus, 0.25}, body, 10e-9}});
+    const FilmedSphere sphere(modulus_alone(body), {{{contrast * body.youngs_modulus, 0.25}, body, 10e-9}});
     const double small = 1e-13, wide = 200e-6, R = 1;
-    EXPECT_NEAR(sphere.at(small, R).stiffness / (2 * small * contrast * alone(body)), 1, 2e-3) << contrast;
-    EXPECT_NEAR(sphere.at(wide, R).stiffness / (2 * wide * alone(body)), 1, 2e-3) << contrast;
+    EXPECT_NEAR(sphere.at(small, R).stiffness / (2 * small * contrast * modulus_alone(body)), 1, 2e-3)
+        << contrast;
+    EXPECT_NEAR(sphere.at(wide, R).stiffness / (2 * wide * modulus_alone(body)), 1, 2e-3) << contrast;
   }
 }
 
@@ -48,7 +45,7 @@ TEST(FilmedSphere_analytic, a_small_contact_feels_the_film_and_a_wide_one_the_bo
 TEST(FilmedSphere_analytic, a_thin_soft_film_is_a_bed_of_springs) {
   const ElasticBody body{100e9, 0.25}, film{1e6, 0.3};
   const double oedometric = film.youngs_modulus * 0.7 / (1.3 * 0.4), t = 10e-9, R = 1e-3;
-  const FilmedSphere sphere(alone(body), {{film, body, t}});
+  const FilmedSphere sphere(modulus_alone(body), {{film, body, t}});
   for (const double a : {10 * t, 20 * t, 40 * t}) {
     const FilmedSphere::Contact contact = sphere.at(a, R);
     const double d = contact.approach, off = contact.force / (M_PI * oedometric * R * d * d / t) - 1;
@@ -63,13 +60,13 @@ TEST(FilmedSphere_analytic, of_little_contrast_is_the_perturbation_of_gao) {
   Largest error;
   for (const double nu : {0.1, 0.25, 0.4}) {
     const ElasticBody body{100e9, nu}, film{1.001 * 100e9, nu};
-    const FilmedSphere sphere(alone(body), {{film, body, 1}});
+    const FilmedSphere sphere(modulus_alone(body), {{film, body, 1}});
     for (const double a : {0.3, 1.0, 3.0, 10.0}) {
       const double x = 1 / a;
       const double weight =
           2 / M_PI * std::atan(x) +
           1 / (2 * M_PI * (1 - nu)) * ((1 - 2 * nu) * x * std::log((1 + x * x) / (x * x)) - x / (1 + x * x));
-      const double found = (sphere.at(a, 1).stiffness / (2 * a * alone(body)) - 1) / 0.001;
+      const double found = (sphere.at(a, 1).stiffness / (2 * a * modulus_alone(body)) - 1) / 0.001;
       std::printf("nu %.2f a/t %.1f: %.4f of %.4f\n", nu, a, found, weight);
       error.count(found - weight);
     }
@@ -107,9 +104,9 @@ TEST(FilmedSphere_other_code, carries_what_half_spaces_on_a_grid_do) {
         for (int i = 0; i < grid.nx; ++i)
           gap[static_cast<std::size_t>(j) * grid.nx + i] =
               (grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / (2 * radius);
-      const auto solved =
-          NormalContact(grid, Boundary::free, alone(body), std::move(gap), {film}).at_approach(approach);
-      const FilmedSphere sphere(alone(body), {film});
+      const auto solved = NormalContact(grid, Boundary::free, modulus_alone(body), std::move(gap), {film})
+                              .at_approach(approach);
+      const FilmedSphere sphere(modulus_alone(body), {film});
       const double wide = sphere.radius_at_approach(approach, radius),
                    area = contact_shape(grid, solved.pressure, std::numeric_limits<double>::infinity()).area;
       std::printf("E_f %.0f GPa, t/a %.2f: force %.4f, radius %.4f of it\n",
