@@ -30,6 +30,7 @@ class NormalRun {
                          ? shifted
                          : contact_displacement(shifted);
     accept(d);
+    contact_->begin_step(0);  // the time of this step is over
     return reading(force(d) + addition(sample, sample.normal_displacement));
   }
 

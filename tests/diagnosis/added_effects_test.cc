@@ -6,6 +6,7 @@
 
 #include "dem_compare/laws/maugis_dugdale.h"
 #include "diagnosis/catalogue/effect.h"
+#include "diagnosis/conceal/relaxing_sphere.h"
 #include "diagnosis/describe.h"
 #include "diagnosis/fit/explanation.h"
 #include "diagnosis/mechanics/yielding_contact.h"
@@ -182,6 +183,24 @@ TEST(Viscoelasticity_analytic, relaxes_after_a_step) {
   contact->accept(20 * nm);
   contact->begin_step(10);
   EXPECT_NEAR(contact->force(20 * nm) / elastic, 0.6 + 0.4 * std::exp(-1), 1e-9);
+}
+
+/// Each sample is simulated at its own time: of a row of springs and dampers, which takes no integral.
+TEST(Viscoelasticity_other_code, is_simulated_at_the_time_of_each_sample) {
+  constexpr double share = 0.5, tau = 6, deepest = 15e-9;
+  const Mechanics m = with_effect("viscoelasticity", {share, tau});
+  const Samples samples = test::approach_and_back(0, deepest, 20);  // a second apart
+  const std::vector<double> simulated = simulate(m, samples);
+  hidden::RelaxingSphere row({m.geometry.reduced_modulus, m.geometry.radius}, share, tau, 1.5 * deepest);
+  double time = samples.list.front().time;
+  for (std::size_t i = 0; i < simulated.size(); ++i) {
+    const Sample& s = samples.list[i];
+    EXPECT_NEAR(simulated[i], row.force(s.normal_displacement, s.time - time),
+                0.01 * m.geometry.force(deepest))
+        << i;
+    row.take(s.normal_displacement, s.time - time);
+    time = s.time;
+  }
 }
 
 TEST(Readings_analytic, of_a_bent_and_a_clipped_sensor) {
