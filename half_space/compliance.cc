@@ -1,6 +1,5 @@
 #include "half_space/compliance.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -23,8 +23,8 @@ constexpr double accurate_direction = 1e-2, rough_direction = 1e-1;
 constexpr int iterations_of_definite = 200, convex_steps = 3;
 
 // Steps without progress before the line search locates the minimum accurately: full steps soon alternate
-// between stick and slip.
-constexpr int patience_without = 3, patience_with_friction = 0;
+// between stick and slip, and between two places of the edge of attraction, where rounding decides how often.
+constexpr int patience_without = 3, patience_with_attraction = 1, patience_with_friction = 0;
 
 }  // namespace
 
@@ -75,7 +75,9 @@ SolveReport ContactSolver::solve(ContactState& state, double target, const Rigid
 SolveReport ContactSolver::solve_at(Pace pace, ContactState& state, double target, const RigidMotion& motion,
                                     double time_step) {
   Iteration at(pace, state, target, system_.bodies().are_inelastic() ? &tangent_ : nullptr, system_.level(),
-               tractions_.has_friction() ? patience_with_friction : patience_without);
+               tractions_.has_friction()   ? patience_with_friction
+               : tractions_.has_adhesion() ? patience_with_attraction
+                                           : patience_without);
   begin_step(at, motion, time_step);
   SolveReport& report = at.report;
   for (report.updates = 0; report.updates <= options_.largest_updates; ++report.updates) {

@@ -120,6 +120,30 @@ TEST(Film_other_code, thinner_than_a_cell_gives_way_as_much_as_it_does) {
                    .within(added, exact.approach - without.approach, 0.05)));
 }
 
+/// For which a mesh is made: of a soft and a stiff film, under a load and at the approach that it makes.
+TEST(Film_other_code, contact_radius_of_a_case_is_that_of_layered_half_spaces) {
+  for (const ElasticBody& film : {ElasticBody{3e9, 0.45}, ElasticBody{400e9, 0.2}}) {
+    const HalfSpaceContact exact = by_half_spaces({film, plane_body, 40e-9});
+    CaseInput input;
+    input.radius = film_test_radius;
+    input.particle.youngs_modulus = sphere_body.youngs_modulus;
+    input.particle.poisson_ratio = sphere_body.poisson_ratio;
+    input.substrate.youngs_modulus = plane_body.youngs_modulus;
+    input.substrate.poisson_ratio = plane_body.poisson_ratio;
+    input.substrate.film.thickness = 40e-9;
+    input.substrate.film.youngs_modulus = film.youngs_modulus;
+    input.substrate.film.poisson_ratio = film.poisson_ratio;
+    input.experiment.control = ExperimentInput::Control::force;
+    input.experiment.normal_load = film_test_force;
+    const double under_load = fem::set_up_sizes(input).filmed_radius;
+    input.experiment.control = ExperimentInput::Control::displacement;
+    input.experiment.normal_approach = exact.approach;
+    const double at_approach = fem::set_up_sizes(input).filmed_radius;
+    EXPECT_NEAR(under_load / exact.radius, 1, 0.01) << film.youngs_modulus;
+    EXPECT_NEAR(at_approach / exact.radius, 1, 0.01) << film.youngs_modulus;
+  }
+}
+
 TEST(Film_analytic, of_the_body_s_own_material_changes_nothing) {
   SmoothContact with(filmed(plane_body, 1, 60e-9, 230e-9, 20e-9));
   auto o = filmed(plane_body, 1, 60e-9, 230e-9, 20e-9);

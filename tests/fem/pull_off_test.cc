@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
 #include "core/printed.h"
 #include "dem_compare/laws/maugis_dugdale.h"
@@ -244,23 +243,18 @@ TEST(JumpIn_analytic, contact_forms_where_Maugis_has_it) {
 
 /// A step that jumps from far to a pressed contact meets indefinite matrices on its way. Directions without
 /// the softening of attraction took 74 Newton steps and 1165 of conjugate gradients, those that end where the
-/// matrix shows itself indefinite 35 and 106. On that way rounding grows: one of these jumps took 35 to 65 on
-/// different machines and numbers of threads, the others 16 to 49. What is asked for is the mean.
-TEST(JumpIn_regression, jumps_from_far_to_a_pressed_contact_take_few_iterations) {
-  const std::vector<double> approaches{0.34, 0.37, 0.40, 0.43};
-  double newton = 0, linear = 0;
-  for (const double approach : approaches) {
+/// matrix shows itself indefinite 35 and 106.
+TEST(JumpIn_regression, a_jump_from_far_to_a_pressed_contact_takes_few_iterations) {
+  for (const double approach : {0.34, 0.37, 0.40, 0.43}) {
     AdhesiveSphere s(2, 12, fem::Dugdale::usual_half_ramp);
     const auto report = s.solver.solve(s.state, approach * s.unit_approach);
     std::printf("jump to %.2f: %d Newton steps, %d of conjugate gradients\n", approach, report.newton,
                 report.linear);
     EXPECT_TRUE(report.converged) << approach;
     EXPECT_TRUE(s.touches()) << approach;
-    newton += report.newton / static_cast<double>(approaches.size());
-    linear += report.linear / static_cast<double>(approaches.size());
+    EXPECT_LE(report.newton, 55) << approach;
+    EXPECT_LE(report.linear, 300) << approach;
   }
-  EXPECT_LE(newton, 40);
-  EXPECT_LE(linear, 150);
 }
 
 TEST(JumpInNightly_analytic, contact_forms_where_Maugis_has_it_from_DMT_to_JKR) {
