@@ -131,8 +131,8 @@ double HeldDugdale::edge(double s, double near) const {
     const Terms v = terms(s, c);
     const double step = -v.gap / v.gap_c;
     c = c + step > b_ ? c + step : 0.5 * (c + b_);
-    constexpr double tolerance = 1e-8;  // of b; the last step leaves its square
-    if (std::abs(step) < tolerance * b_) return c;
+    constexpr double tolerance = 1e-4;  // of c - b, by which gap_c varies; the last step leaves its square
+    if (std::abs(step) < tolerance * (c - b_)) return c;
   }
   return edge(s);
 }
@@ -150,17 +150,21 @@ HeldCurve::HeldCurve(double lambda, double ratio, double held_edge) : b_(held_ed
   constexpr int intervals = 32;
   const double end = held.last();
   ends_loose_ = end < b_;
-  double c = held.edge(0);
+  double c = held.edge(0), s_before = 0, by_s = 0;  // by_s: dc/ds, along which the next edge is looked for
   for (int i = 0; i <= intervals; ++i) {
     // Denser to the end, where c comes down to b as x ln x does or a goes as a root, and somewhat where it
     // begins, by the width of the zone.
     const double part = static_cast<double>(i) / intervals, left = 1 - part * std::sqrt(part),
                  s = end * (1 - left * left * left);
-    if (i > 0) c = held.edge(s, c);
+    if (i > 0) {
+      const double ahead = c + by_s * (s - s_before);
+      c = held.edge(s, ahead > b_ ? ahead : 0.5 * (c + b_));
+    }
     const HeldDugdale::Terms v = held.terms(s, c);
     // d(approach)/ds vanishes at s = 0 where both works are alike, but not its ratio to d(force)/ds.
     const double a = held.radius(s), S = std::sqrt((c - a) * (c + a)), moved = 2 * std::atan2(S, a) / v.gap_c;
     nodes_.push_back({v.approach, v.force, (1.5 * a + v.force_c * moved) / (1 + v.approach_c * moved), a, c});
+    s_before = s, by_s = -v.gap_s / v.gap_c;
   }
 }
 

@@ -4,12 +4,20 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 
+#include "core/root.h"
+
 namespace asperity {
 namespace {
 
-/// Radii [Maugis' unit] from a million, where attraction is nothing beside the load, down to 1e-4; the step
-/// is that of ln u.
-constexpr double largest_radius = 1e6, smallest_radius = 1e-4, step = 0.1;
+/// Radii [Maugis' unit] from a million, where attraction is nothing beside the load, down to 1e-4.
+constexpr double largest_radius = 1e6, smallest_radius = 1e-4;
+/// Step of ln u to the next state: the cubics between are within 1e-9 of the force, or of pi w R. What
+/// attraction adds to a^3 grows as a^(3/2), and the least forces are smooth in a^(1/2).
+double step_after(double radius) {
+  constexpr double step = 0.0125, longest = 0.5;
+  const double longer = radius > 1 ? std::pow(radius, 0.375) : 1 / std::sqrt(radius);
+  return std::min(longest, step * longer);
+}
 /// Pull-off force of DMT over pi w R.
 constexpr double of_dmt = 2;
 
@@ -55,9 +63,15 @@ MaugisBranch::State MaugisBranch::at(double place) const {
   const double q_slope = l * (u * u + m2 * u * t), line_slope = 4.0 / 3 * l * l * (m2 * t + u - m * u);
   const double a_slope = -(a * a * q_slope + a * line_slope) / (2 * a * q + line);
   const double tension = u + m2 * t, tension_slope = 2 * m2 * (1 + u * t);
-  return {place, a * a * a - l * a * a * tension, a * a - 4.0 / 3 * l * a * u,
-          by_place * a * (3 * a * a_slope - l * (2 * a_slope * tension + a * tension_slope)),
-          by_place * (2 * a * a_slope - 4.0 / 3 * l * (a_slope * u + a * m2))};
+  State s{};
+  s.place = place, s.radius = a, s.edge = a * m;
+  s.force = a * a * a - l * a * a * tension;
+  s.approach = a * a - 4.0 / 3 * l * a * u;
+  s.force_slope = by_place * a * (3 * a * a_slope - l * (2 * a_slope * tension + a * tension_slope));
+  s.approach_slope = by_place * (2 * a * a_slope - 4.0 / 3 * l * (a_slope * u + a * m2));
+  s.radius_slope = by_place * a_slope;
+  s.edge_slope = m * s.radius_slope + a * u * u / m;
+  return s;
 }
 
 MaugisBranch::MaugisBranch(double lambda) : lambda_(lambda) {
@@ -69,19 +83,22 @@ MaugisBranch::MaugisBranch(double lambda) : lambda_(lambda) {
   const double first = std::log(1.5 / (lambda * largest_radius * largest_radius)) / 3;
   // Small contacts have u = (4/(pi lambda))^(1/2)/a.
   const double last = std::log(std::sqrt(4 / (M_PI * lambda)) / smallest_radius);
-  for (double place = first; place < last; place += step) {
+  for (double place = first; place < last; place += step_after(states_.back().radius)) {
     states_.push_back(at(place));
     if (states_.back().approach_slope > 0) break;
   }
   const auto least = [&](double from, double to, auto value) {
     return boost::math::tools::brent_find_minima([&](double x) { return value(at(x)); }, from, to, 40).first;
   };
-  if (states_.back().approach_slope > 0) {
+  const bool jumps = states_.back().approach_slope > 0;
+  if (jumps) {
     const double to = states_.back().place;
     states_.pop_back();
-    states_.push_back(at(least(states_.back().place, to, [](const State& s) { return s.approach; })));
+    const auto slope_at = [&](double place) { return at(place).approach_slope; };
+    states_.push_back(at(root_between(slope_at, states_.back().place, to)));
   }
   release_ = parting_ = states_.back().approach;
+  list_nodes(jumps);
   if (const double edge = smallest_disc(lambda); disc_of_last_touch(lambda) > edge)
     parting_ = std::min(release_, -0.5 * edge * edge - range_over_approach(lambda));
   const auto lowest = std::min_element(states_.begin(), states_.end(),
@@ -95,6 +112,35 @@ MaugisBranch::MaugisBranch(double lambda) : lambda_(lambda) {
     states_.insert(states_.begin() + static_cast<long>(tensest_), tensest);
   }
   pull_off_ = -states_[tensest_].force;
+}
+
+void MaugisBranch::list_nodes(bool jumps) {
+  for (auto s = states_.rbegin(); s != states_.rend(); ++s) {
+    const double root = std::sqrt(std::max(0.0, s->approach - release_));
+    double by_root = 2 * root / s->approach_slope;  // d(ln u)/d(root)
+    // Where the contact breaks the approach is at its least: there d(ln u)/d(root) comes from its curvature.
+    if (s == states_.rbegin()) {
+      constexpr double off = 1e-4;  // of ln u
+      const double rise = at(s->place + off).approach_slope - at(s->place - off).approach_slope;
+      by_root = jumps ? -std::sqrt(2 / (rise / (2 * off))) : 0;
+    }
+    roots_.push_back(root);
+    nodes_.push_back({s->force, s->radius, s->edge, by_root * s->force_slope, by_root * s->radius_slope,
+                      by_root * s->edge_slope});
+  }
+}
+
+MaugisBranch::Cubic MaugisBranch::cubic_at(double approach) const {
+  const double root = std::sqrt(std::max(0.0, approach - release_));
+  const auto after = std::upper_bound(roots_.begin() + 1, roots_.end() - 1, root);
+  const auto low = static_cast<std::size_t>(after - roots_.begin()) - 1;
+  const double width = roots_[low + 1] - roots_[low];
+  return {nodes_[low], nodes_[low + 1], width, width > 0 ? (root - roots_[low]) / width : 0};
+}
+
+double MaugisBranch::Cubic::of(double Node::*value, double Node::*slope) const {
+  const double rise = high.*value - low.*value, from = width * low.*slope, to = width * high.*slope;
+  return low.*value + part * (from + part * (3 * rise - 2 * from - to + part * (from + to - 2 * rise)));
 }
 
 MaugisBranch::State MaugisBranch::where(double State::*value, double State::*slope, double target,
@@ -119,6 +165,7 @@ MaugisBranch::State MaugisBranch::where(double State::*value, double State::*slo
     double move = (target - s.*value) / s.*slope;
     if (std::abs(move) <= near || i == most_iterations) {
       s.place += move, s.force += move * s.force_slope, s.approach += move * s.approach_slope;
+      s.radius += move * s.radius_slope, s.edge += move * s.edge_slope;
       return s;
     }
     if (!(place + move > left && place + move < right)) move = 0.5 * (left + right) - place;
@@ -126,27 +173,19 @@ MaugisBranch::State MaugisBranch::where(double State::*value, double State::*slo
   }
 }
 
-double MaugisBranch::radius_at(double place) const {
-  const double l = lambda_, u = std::exp(place), t = std::atan(u), m = std::sqrt(1 + u * u);
-  const double q = l / 2 * (u + (u * u - 1) * t), line = 4.0 / 3 * l * l * (u * t - m + 1);
-  return 2 / (line + std::sqrt(line * line + 4 * q));
-}
-
-MaugisBranch::Contact MaugisBranch::contact_of(const State& state) const {
-  const double a = radius_at(state.place), u = std::exp(state.place);
-  return {state.approach, state.force, a, a * std::sqrt(1 + u * u)};
-}
-
 MaugisBranch::Contact MaugisBranch::contact(double approach) const {
   const double a = std::sqrt(std::max(0.0, approach));
   if (approach > states_.front().approach) return {approach, a * a * a, a, a};
-  return contact_of(where(&State::approach, &State::approach_slope, approach, states_.size() - 1));
+  const Cubic c = cubic_at(approach);
+  return {approach, c.of(&Node::force, &Node::force_slope), c.of(&Node::radius, &Node::radius_slope),
+          c.of(&Node::edge, &Node::edge_slope)};
 }
 
 MaugisBranch::Contact MaugisBranch::contact_under(double force) const {
   const double a = std::cbrt(std::max(0.0, force));
   if (force > states_.front().force) return {a * a, force, a, a};
-  return contact_of(where(&State::force, &State::force_slope, force, tensest_));
+  const State s = where(&State::force, &State::force_slope, force, tensest_);
+  return {s.approach, s.force, s.radius, s.edge};
 }
 
 double MaugisBranch::edge_apart(double approach) const { return disc_at(lambda_, approach); }
@@ -154,7 +193,7 @@ double MaugisBranch::edge_apart(double approach) const { return disc_at(lambda_,
 double MaugisBranch::force(double approach) const {
   if (states_.empty()) return approach * std::sqrt(approach) - of_dmt;
   if (approach > states_.front().approach) return approach * std::sqrt(approach);
-  return where(&State::approach, &State::approach_slope, approach, states_.size() - 1).force;
+  return cubic_at(approach).of(&Node::force, &Node::force_slope);
 }
 
 double MaugisBranch::force_apart(double approach) const {

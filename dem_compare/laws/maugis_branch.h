@@ -2,7 +2,8 @@
 // edge of the attraction at m times the contact radius, u = (m^2 - 1)^(1/2), t = arctan u,
 //   Q a^2 + L a = 1,  Q = (lambda/2) [u + (m^2 - 2) t],  L = (4/3) lambda^2 (u t - m + 1)
 // gives the radius in closed form, and with it force and approach; u runs from 0, under large loads, to where
-// the contact breaks. Many states of one contact cost one table and a short search each.
+// the contact breaks. Many states of one contact cost one table and a search each: at an approach they are
+// cubics of its distance's root to where the contact breaks, in which force and radii are smooth there.
 //
 // Below lambda = 0.938 the contact shrinks to nothing before it breaks, and surfaces that no longer touch
 // attract each other over a disc of radius c: f = -(pi lambda/2) c^2, delta = c^2/2 - (8 lambda/(3 pi)) c -
@@ -49,18 +50,30 @@ class MaugisBranch {
  private:
   /// A state at ln u, and how it changes with that.
   struct State {
-    double place, force, approach, force_slope, approach_slope;
+    double place, force, approach, force_slope, approach_slope, radius, edge, radius_slope, edge_slope;
   };
   State at(double place) const;
-  /// Radius at ln u, in Maugis' unit.
-  double radius_at(double place) const;
-  Contact contact_of(const State& state) const;
+  /// A state by the root of its approach above release(), with slopes by that root.
+  struct Node {
+    double force, radius, edge, force_slope, radius_slope, edge_slope;
+  };
+  /// Between two of them.
+  struct Cubic {
+    const Node &low, &high;
+    double width, part;
+    double of(double Node::*value, double Node::*slope) const;
+  };
+  /// jumps: the contact breaks while it has a radius.
+  void list_nodes(bool jumps);
+  Cubic cubic_at(double approach) const;
   /// State in which a value, whose slope is told beside it, falls to its target, up to a state of the table.
   State where(double State::*value, double State::*slope, double target, std::size_t last) const;
 
   double lambda_, pull_off_ = 0, release_ = 0, parting_ = 0;
   std::vector<State> states_;  ///< from the largest loads on, as the approach falls
   std::size_t tensest_ = 0;    ///< the one of least force
+  std::vector<double> roots_;  ///< of the nodes, growing [-]
+  std::vector<Node> nodes_;
 };
 
 }  // namespace asperity

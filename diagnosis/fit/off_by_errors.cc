@@ -58,7 +58,8 @@ class OnSurface : public Around {
       : Around(std::move(exact)), factors_(std::move(factors)) {}
   double displacement(const Sample& sample, double force) const override {
     double d = exact().displacement(sample, force);
-    for (std::size_t k = 0; k < factors_.size(); ++k) d += factors_[k] * exact().surface_errors()[k](force);
+    for (std::size_t k = 0; k < factors_.size(); ++k)
+      if (factors_[k] != 0) d += factors_[k] * exact().surface_errors()[k](force);
     return d;
   }
 

@@ -44,7 +44,7 @@ class ForceCurve {
   /// Piecewise cubic that does not swing where slopes change (Akima 1970).
   using Smooth = boost::math::interpolators::makima<std::vector<double>>;
 
-  static double scaled(double force) { return std::copysign(std::pow(std::abs(force), 2.0 / 3), force); }
+  static double scaled(double force) { return std::copysign(std::cbrt(force * force), force); }
   std::vector<std::pair<double, double>> points_;
   std::shared_ptr<const Smooth> smooth_;
 };

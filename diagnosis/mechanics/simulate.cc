@@ -121,7 +121,7 @@ class NormalRun {
     const double step = given - last_given_;
     last_given_ = given;
     last_ = free <= 0
-                ? pulled_displacement(excess, free)
+                ? pulled_displacement(excess, free, step)
                 : increasing_root(excess, std::min(last_ + step, given),
                                   std::max(smallest_step, 0.5 * std::abs(step)), displacement_tolerance);
     return last_;
@@ -129,16 +129,26 @@ class NormalRun {
   /// Below first touch an attraction may hold, which the series draws out: until the whole displacement has
   /// its minimum, and the contact snaps to where it is free.
   template <class Excess>
-  double pulled_displacement(const Excess& excess, double free) const {
+  double pulled_displacement(const Excess& excess, double free, double step) const {
     const double release = contact_->release();
     if (!(release < 0 && contact_->force(release / 2) < 0)) return free;
+    // The excess falls to its minimum and grows from there: a place where it is negative below one where it
+    // is not encloses the state that is held. Only where none is near the last state is the minimum looked
+    // for.
+    double high = last_, f_high = excess(high);
+    double low = high, f_low = f_high;
+    const double near = std::max(smallest_step, std::abs(step));
+    for (double width = near; f_high < 0; width *= 2) high += width, f_high = excess(high);
+    constexpr int attempts = 4;
+    double width = near;
+    for (int i = 0; i < attempts && f_low >= 0 && low - width > release; ++i, width *= 2)
+      low -= width, f_low = excess(low);
+    if (f_low < 0) return root_between(excess, low, high, f_low, f_high, displacement_tolerance);
     constexpr int bits = 24;
     const auto at_part = [&](double part) { return excess(part * release) / -release; };  // of order one
     const double fold = release * boost::math::tools::brent_find_minima(at_part, 0.0, 1.0, bits).first;
     const double least = excess(fold);
     if (least >= 0) return free;
-    double high = std::max(last_, 0.0), f_high = excess(high);
-    while (f_high < 0) high += std::abs(release), f_high = excess(high);
     return root_between(excess, fold, high, least, f_high, displacement_tolerance);
   }
 

@@ -355,6 +355,21 @@ TEST(MaugisBranch_other_code, breaks_where_JKR_does_in_its_limit) {
   EXPECT_NEAR(branch.force(branch.release()), -5.0 / 6, 0.01);
 }
 
+/// States at an approach are cubics between those of a table; under a force they solve Maugis' equations.
+TEST(MaugisBranch_analytic, states_at_an_approach_are_those_under_its_force) {
+  for (const double lambda : {0.01, 0.1, 0.5, 0.9, 0.938, 0.95, 1.0, 2.0, 5.0, 50.0}) {
+    const MaugisBranch branch(lambda);
+    for (int i = 0; i <= 600; ++i) {
+      const double force = -branch.pull_off() + 1e-6 + std::pow(10.0, -4 + 0.01 * i),
+                   approach = branch.approach(force);
+      EXPECT_NEAR(branch.force(approach), force, 3e-9 * (1 + std::abs(force))) << lambda;
+      const MaugisBranch::Contact at = branch.contact(approach), under = branch.contact_under(force);
+      EXPECT_NEAR(at.radius, under.radius, 1e-6 * (1 + under.radius)) << lambda << " under " << force;
+      EXPECT_NEAR(at.edge, under.edge, 1e-6 * under.edge) << lambda << " under " << force;
+    }
+  }
+}
+
 TEST(MaugisBranch_analytic, attracts_on_beyond_its_last_touch_where_that_is_no_jump) {
   // Force and approach go on where the contact has shrunk to nothing, and the surfaces part where the
   // approach has its minimum: at a disc of radius 8 lambda/(3 pi) (Maugis 1992).
