@@ -144,10 +144,12 @@ void add_motion(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(
       section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
       "Path length of sliding and rolling in one direction; 0: five radii of Hertz' contact, "
-      "two contact diameters of them steady."));
+      "two contact diameters of them steady, or four radii of a contact that a film or attraction widens by "
+      "more."));
   entries.push_back(quantity(
       section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
-      "Angle of torsion in one direction; 0: six times that at which a smooth contact slips as a whole."));
+      "Angle of torsion in one direction; 0: six times that at which a smooth contact slips as a whole, or "
+      "four times that of one that attraction draws together, where it is more."));
   entries.push_back(flag(section, "Reverse", at(&ExperimentInput::reverse), "true",
                          "Come back along the path: half a friction loop."));
   entries.push_back(

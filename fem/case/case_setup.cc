@@ -54,17 +54,28 @@ double lateral_compliance(const CaseInput& input) {
   return 1 / reduced_shear_modulus(elastic_body(input.particle), elastic_body(input.substrate));
 }
 
+/// Largest friction of a contact under a force [N], spread evenly over this radius [m].
+double friction_over(const CaseInput& input, double force, double radius) {
+  const double area = M_PI * radius * radius;
+  const auto law = make_friction_law(input.interface);
+  return law ? area * law->initial_limit(force / area).stress : 0;
+}
+
+/// Spin at which it slips as a whole [rad].
+double full_slip_angle(const CaseInput& input, double force, double radius) {
+  const double modulus = torsion_modulus(elastic_body(input.particle), elastic_body(input.substrate));
+  return 0.64 * friction_over(input, force, radius) / (modulus * radius * radius);
+}
+
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick
 /// radius of a / 10), and steps of a spacing, an eighth of the contact radius at most; of half a spacing at
 /// the rim of a contact that spins.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
-  const double a = setup.hertz_radius, area = M_PI * a * a;
-  const auto law = make_friction_law(input.interface);
-  const double friction = law ? area * law->initial_limit(setup.largest_contact_force() / area).stress : 0;
-  const double torsion = 1 / torsion_modulus(elastic_body(input.particle), elastic_body(input.substrate));
+  const double a = setup.hertz_radius;
   MotionScales scales;
-  scales.full_slip_shift = 3 * friction * lateral_compliance(input) / (16 * a);
-  scales.full_slip_angle = 0.64 * friction * torsion / (a * a);
+  scales.full_slip_shift =
+      3 * friction_over(input, setup.largest_contact_force(), a) * lateral_compliance(input) / (16 * a);
+  scales.full_slip_angle = full_slip_angle(input, setup.largest_contact_force(), a);
   scales.largest_shift = std::min(spacing, a / 8);
   scales.largest_angle = spacing / (2 * a);
   scales.rolling_radius = input.radius;
@@ -72,8 +83,8 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
   return scales;
 }
 
-/// Hertz' contact at the largest load.
-void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
+/// Hertz' contact at the largest load, and what films and attraction make of it.
+void find_contact_scales(const CaseInput& input, CaseSetup& setup) {
   const Hertz hertz = hertz_of(input);
   setup.reduced_modulus = hertz.reduced_modulus;
   setup.hertz_approach = hertz_approach_of(input);
@@ -81,6 +92,8 @@ void find_hertz_scales(const CaseInput& input, CaseSetup& setup) {
   setup.largest_load = force ? input.experiment.normal_load : hertz.force(setup.hertz_approach);
   setup.attraction_force = input.interface.attraction_force;
   setup.hertz_radius = std::sqrt(hertz.radius * setup.hertz_approach);
+  setup.filmed_radius = filmed_contact_radius(input, setup);
+  setup.attraction = attraction_scales(input);
 }
 
 }  // namespace
@@ -105,11 +118,17 @@ Film film_of(const BodyInput& body) {
 CaseInput with_derived_path_length(const CaseInput& input) {
   CaseInput derived = input;
   CaseSetup setup;
-  find_hertz_scales(input, setup);
+  find_contact_scales(input, setup);
   auto& e = derived.experiment;
+  const double attracted = attracted_radius(input, setup);
   if ((e.type == Motion::sliding || e.type == Motion::rolling) && e.distance == 0)
-    e.distance = 5 * setup.hertz_radius;
-  if (e.type == Motion::torsion && e.angle == 0) e.angle = 6 * motion_scales(input, setup, 0).full_slip_angle;
+    e.distance = std::max(5 * setup.hertz_radius, 4 * std::max(setup.filmed_radius, attracted));
+  if (e.type == Motion::torsion && e.angle == 0) {
+    e.angle = 6 * full_slip_angle(input, setup.largest_contact_force(), setup.hertz_radius);
+    // Drawn to this radius the bodies bear on each other as under the load that presses Hertz' contact to it.
+    const double bears = 4.0 / 3 * setup.reduced_modulus * std::pow(attracted, 3) / input.radius;
+    if (attracted > 0) e.angle = std::max(e.angle, 4 * full_slip_angle(input, bears, attracted));
+  }
   return derived;
 }
 
@@ -165,15 +184,13 @@ void require_friction_that_does_not_jump(const CaseInput& input, const CaseSetup
 
 CaseSetup set_up_sizes(const CaseInput& input) {
   CaseSetup setup;
-  find_hertz_scales(input, setup);
-  setup.filmed_radius = filmed_contact_radius(input, setup);
+  find_contact_scales(input, setup);
   setup.largest_radius = largest_contact_radius(input, setup);
   const double R = input.radius;
   const bool force = input.experiment.control == ExperimentInput::Control::force;
   const TopographySpec& upper = input.particle.topography;
   const TopographySpec& lower = input.substrate.topography;
 
-  setup.attraction = attraction_scales(input);
   setup.roughness[0].scales = topography_scales(upper);
   setup.roughness[1].scales = topography_scales(lower);
 
