@@ -173,7 +173,8 @@ void add_mesh_solver_output(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(
       "Mesh", "Interface spacing", [](CaseInput& c) -> double& { return c.mesh.interface_spacing; },
       Dimension::length, not_negative, "0 m", "",
-      "Node spacing in the potential contact zone; 0: a twelfth of Hertz' contact radius, a quarter of the "
+      "Node spacing in the potential contact zone; 0: a twelfth of Hertz' contact radius (that of Derjaguin, "
+      "Muller & Toporov where surfaces attract), a quarter of the "
       "roughness' shortest wave or a third of the zone of attraction, whichever is least (the largest "
       "pressure then reads 10 to 25 % too small, with an eighth of a wave some 2 %; real area is good to "
       "some 7 %, the pull-off force 4 % too large; result.json states the errors)."));

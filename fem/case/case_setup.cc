@@ -71,11 +71,11 @@ double full_slip_angle(const CaseInput& input, double force, double radius) {
 /// radius of a / 10), and steps of a spacing, an eighth of the contact radius at most; of half a spacing at
 /// the rim of a contact that spins.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
-  const double a = setup.hertz_radius;
+  const double a = std::max(setup.hertz_radius, setup.least_radius);
+  const double force = setup.largest_contact_force() * std::pow(a / setup.hertz_radius, 3);
   MotionScales scales;
-  scales.full_slip_shift =
-      3 * friction_over(input, setup.largest_contact_force(), a) * lateral_compliance(input) / (16 * a);
-  scales.full_slip_angle = full_slip_angle(input, setup.largest_contact_force(), a);
+  scales.full_slip_shift = 3 * friction_over(input, force, a) * lateral_compliance(input) / (16 * a);
+  scales.full_slip_angle = full_slip_angle(input, force, a);
   scales.largest_shift = std::min(spacing, a / 8);
   scales.largest_angle = spacing / (2 * a);
   scales.rolling_radius = input.radius;
@@ -145,7 +145,7 @@ double contact_region(const CaseInput& input, const CaseSetup& setup, double spa
     const double reach =
         std::hypot(3 * std::hypot(setup.roughness[0].scales.rms, setup.roughness[1].scales.rms),
                    attraction_reach(input.interface));
-    region = hertz_reach(setup.hertz_radius, R, reach) + 2 * spacing;
+    region = hertz_reach(std::max(setup.hertz_radius, setup.least_radius), R, reach) + 2 * spacing;
     // How far a body flows is an estimate: a mesh that holds Hertz' contact is not refused for it.
     const double flows_to = hertz_reach(setup.largest_radius, R, reach) + 2 * spacing;
     const double drawn_to = 1.1 * attracted_radius(input, setup) + 2 * spacing;
@@ -193,6 +193,7 @@ CaseSetup set_up_sizes(const CaseInput& input) {
 
   setup.roughness[0].scales = topography_scales(upper);
   setup.roughness[1].scales = topography_scales(lower);
+  setup.least_radius = least_contact_radius(input, setup);
 
   setup.system.films = {film_of(input.particle), film_of(input.substrate)};
   const double spacing =

@@ -37,6 +37,18 @@ double filmed_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   return sphere.radius_at_approach(setup.hertz_radius * setup.hertz_radius / input.radius, input.radius);
 }
 
+double least_contact_radius(const CaseInput& input, const CaseSetup& setup) {
+  const double elastic = std::min(setup.hertz_radius, setup.filmed_radius);
+  const bool bare = !input.particle.film.is_there() && !input.substrate.film.is_there();
+  const bool by_force = input.experiment.control == ExperimentInput::Control::force;
+  if (!bare || !by_force || !setup.attraction.acts()) return elastic;
+  const double bears =
+      setup.largest_contact_force() + 2 * M_PI * work_of_adhesion(input.interface).closing * input.radius;
+  const double wave =
+      std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
+  return std::max(elastic, std::min(std::cbrt(0.75 * bears * input.radius / setup.reduced_modulus), wave));
+}
+
 double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   constexpr double mean_pressure = 2, piled_up = 1.5;  // of the yield stress, of Hertz' radius
   const double yield = std::min({make_material_law(input.particle).yield_stress,

@@ -76,7 +76,7 @@ std::string attraction_text(const CaseSetup& setup) {
 }  // namespace
 
 double derived_spacing(const CaseSetup& setup) {
-  const double radius = std::min(setup.hertz_radius, setup.filmed_radius);
+  const double radius = setup.least_radius;
   // A thinner film is resolved as a laminate: what one of half a cell adds is 1.4 % off.
   constexpr double cells_for_film = 24;
   const double for_film = std::max(thinnest_film(setup) / cells_per_film, radius / cells_for_film);
@@ -90,7 +90,7 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
   const double spacing = setup.system.mesh.sizes.spacing_particle, wave = shortest_wave(setup);
   const bool by_waves = std::isfinite(wave) && spacing >= wave / cells_per_wave;
   const bool by_zone = !by_waves && spacing >= setup.attraction.zone / cells_over_attraction_zone;
-  if (unknowns <= most_unknowns || (!by_waves && !by_zone)) return;
+  if (unknowns <= most_unknowns) return;
   const double affordable = spacing * std::sqrt(unknowns / most_unknowns);
   const std::string cells = ", which take cells of " + length_text(spacing) + " and some " +
                             number_text(unknowns / 1e6) + " million unknowns; ";
@@ -100,6 +100,13 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
         "leave out the shorter waves with cutoff=" + length_text(cells_per_wave * affordable, 2) +
         " in Topography, lower the load, or accept what a mesh of your own "
         "Mesh/Interface spacing leaves out");
+  if (!by_zone)
+    throw InputError(input.file + ": under this load smooth bodies touch over a radius of " +
+                     length_text(setup.least_radius) + ", and these may touch anywhere within ±" +
+                     length_text(setup.system.mesh.sizes.region_particle) + cells +
+                     "raise the load, set a smaller Mesh/Contact region, or accept what a mesh of your own "
+                     "Mesh/Interface spacing (" +
+                     length_text(affordable, 2) + ") leaves out");
   // The zone goes with the square of the length over which attraction falls.
   const double longer = std::sqrt(affordable / spacing);
   throw InputError(input.file + ": the attraction acts in a zone of " + length_text(setup.attraction.zone) +

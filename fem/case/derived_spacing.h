@@ -9,7 +9,7 @@
 
 namespace asperity::fem {
 
-/// Spacing where the case gives none [m]: twelve cells over Hertz' contact radius, which keep Hertz within
+/// Spacing where the case gives none [m]: twelve cells over the least contact radius, which keep Hertz within
 /// 1 %; four over the shortest wave of either surface, with which the largest pressure reads 10 to 25 % too
 /// small and real area is good to some 7 %; four over the thinner film, but for that no more than 24 over the
 /// contact radius; three over the zone of attraction,

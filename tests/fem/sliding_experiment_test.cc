@@ -329,36 +329,6 @@ TEST(SolveCase_behaviour, derives_a_way_of_two_steady_contact_diameters) {
               1e-9);
 }
 
-TEST(SolveCase_analytic, derives_paths_of_contacts_that_attraction_or_a_film_widens) {
-  CaseInput input = sliding("smooth", 25e-9);
-  input.experiment.distance = 0;
-  input.experiment.type = Motion::rolling;
-  const double pressed = fem::with_derived_path_length(input).experiment.distance;
-  CaseInput filmed = input;
-  filmed.particle.film.thickness = 1e-6;
-  filmed.particle.film.youngs_modulus = 1e9, filmed.particle.film.poisson_ratio = 0.3;
-  // Nearly all of the contact is the film's, of a modulus of 1.1 GPa beside one of 56 GPa.
-  EXPECT_GT(fem::with_derived_path_length(filmed).experiment.distance, 2 * pressed);
-
-  input.interface.work_of_adhesion = 0.1;
-  input.interface.parameters["Adhesion range"] = 1e-9;
-  // Where the load is large beside the pull-off force attraction does not matter.
-  input.experiment.normal_load = 10e-3;
-  EXPECT_NEAR(fem::with_derived_path_length(input).experiment.distance,
-              5 * fem::set_up_sizes(fem::with_derived_path_length(input)).hertz_radius, 1e-12);
-  // A particle that nothing but its adhesion presses: a^3 = 6 pi w R^2/K (Johnson, Kendall & Roberts 1971).
-  input.experiment.normal_load = 1e-12;
-  const double R = input.radius, stiffness = 4.0 / 3 * hertz_of(input).reduced_modulus,
-               a = std::cbrt(6 * M_PI * 0.1 * R * R / stiffness), force = stiffness * a * a * a / R;
-  EXPECT_NEAR(fem::with_derived_path_length(input).experiment.distance / (4 * a), 1, 1e-3);
-  input.experiment.type = Motion::torsion;
-  const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
-  const double compliance = 1 / shear(input.particle) + 1 / shear(input.substrate);
-  EXPECT_NEAR(fem::with_derived_path_length(input).experiment.angle /
-                  (2.56 * input.interface.parameters["Friction coefficient"] * force * compliance / (a * a)),
-              1, 1e-3);
-}
-
 TEST(SolveCase_behaviour, derives_a_region_over_which_the_attraction_ends) {
   CaseInput input = sliding("smooth", 25e-9);
   input.mesh.contact_region = 0;

@@ -1,0 +1,78 @@
+// Path, mesh and steps that are left to the program, of contacts that attraction or a film makes wider than
+// Hertz'.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "core/hertz_separation.h"
+#include "fem/case/case_setup.h"
+#include "tests/fem/support/sphere_on_silicon.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::sphere_on_silicon;
+
+CaseInput moved(const std::string& substrate, double spacing, Motion motion) {
+  CaseInput input = sphere_on_silicon("smooth", substrate, spacing, 0);
+  input.interface.parameters["Friction coefficient"] = 0.3;
+  input.experiment.type = motion;
+  return input;
+}
+
+TEST(WidenedContact_analytic, derives_paths_of_contacts_that_attraction_or_a_film_widens) {
+  CaseInput input = moved("smooth", 25e-9, Motion::rolling);
+  const double pressed = fem::with_derived_path_length(input).experiment.distance;
+  CaseInput filmed = input;
+  filmed.particle.film.thickness = 1e-6;
+  filmed.particle.film.youngs_modulus = 1e9, filmed.particle.film.poisson_ratio = 0.3;
+  // Nearly all of the contact is the film's, of a modulus of 1.1 GPa beside one of 56 GPa.
+  EXPECT_GT(fem::with_derived_path_length(filmed).experiment.distance, 2 * pressed);
+
+  input.interface.work_of_adhesion = 0.1;
+  input.interface.parameters["Adhesion range"] = 1e-9;
+  // Where the load is large beside the pull-off force attraction does not matter.
+  input.experiment.normal_load = 10e-3;
+  EXPECT_NEAR(fem::with_derived_path_length(input).experiment.distance,
+              5 * hertz_of(input).contact_radius(input.experiment.normal_load), 1e-12);
+  // A particle that nothing but its adhesion presses: a^3 = 6 pi w R^2/K (Johnson, Kendall & Roberts 1971).
+  input.experiment.normal_load = 1e-12;
+  const double R = input.radius, stiffness = 4.0 / 3 * hertz_of(input).reduced_modulus,
+               a = std::cbrt(6 * M_PI * 0.1 * R * R / stiffness), force = stiffness * a * a * a / R;
+  EXPECT_NEAR(fem::with_derived_path_length(input).experiment.distance / (4 * a), 1, 1e-3);
+  input.experiment.type = Motion::torsion;
+  const auto shear = [](const BodyInput& b) { return b.youngs_modulus / (2 * (1 + b.poisson_ratio)); };
+  const double compliance = 1 / shear(input.particle) + 1 / shear(input.substrate);
+  EXPECT_NEAR(fem::with_derived_path_length(input).experiment.angle /
+                  (2.56 * input.interface.parameters["Friction coefficient"] * force * compliance / (a * a)),
+              1, 1e-3);
+}
+
+TEST(WidenedContact_analytic, meshes_a_contact_that_little_but_its_attraction_presses) {
+  CaseInput input = moved("smooth", 0, Motion::sliding);
+  input.interface.work_of_adhesion = 0.1;
+  input.interface.parameters["Adhesion range"] = 3e-9;
+  input.experiment.normal_load = 1e-12;
+  const fem::CaseSetup setup = fem::set_up_sizes(fem::with_derived_path_length(input));
+  // a^3 = 2 pi w R^2/K (Derjaguin, Muller & Toporov 1975), which Hertz' approach of 2 pi w R/K a presses.
+  const double R = input.radius, stiffness = 4.0 / 3 * hertz_of(input).reduced_modulus,
+               bears = 2 * M_PI * 0.1 * R, a = std::cbrt(bears * R / stiffness);
+  EXPECT_NEAR(setup.least_radius / a, 1, 1e-6);
+  EXPECT_NEAR(setup.system.mesh.sizes.spacing_particle, a / 12, 1e-12);
+  EXPECT_NEAR(setup.motion.contact_radius / a, 1, 1e-6);
+  // Surfaces that far apart attract each other still.
+  EXPECT_GT(hertz_separation(setup.system.mesh.sizes.region_particle, a, R), 3e-9);
+
+  CaseInput rough =
+      moved("generated(rms=5 nm, hurst=0.8, rolloff=400 nm, cutoff=100 nm, seed=4)", 0, Motion::normal);
+  rough.experiment.normal_load = 1e-9;
+  const std::string message = test::message_of<InputError>([&] { fem::set_up_sizes(rough); });
+  EXPECT_NE(message.find("raise the load"), std::string::npos) << message;
+  rough.mesh.interface_spacing = 10e-9;
+  EXPECT_NO_THROW(fem::set_up_sizes(rough));
+}
+
+}  // namespace
+}  // namespace asperity
