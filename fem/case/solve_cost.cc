@@ -1,5 +1,10 @@
 #include "fem/case/solve_cost.h"
 
+#include <cmath>
+
+#include "core/error.h"
+#include "core/printed.h"
+#include "core/quantity.h"
 #include "fem/case/fine_path.h"
 #include "fem/materials/material_law.h"
 #include "fem/programs/program.h"
@@ -21,6 +26,21 @@ double estimated_memory(double unknowns, bool all_keep_history) {
   // 347 MB.
   constexpr double bytes_of_program = 200e6, bytes_per_unknown = 750, with_history = 1700;
   return bytes_of_program + unknowns * (all_keep_history ? with_history : bytes_per_unknown);
+}
+
+std::string memory_warning(const CaseInput& input, const CaseSetup& setup, double unknowns,
+                           double available) {
+  constexpr double gibibyte = 1 << 30, far_more = 2, worth_saying = 1;
+  const double needed = estimated_memory(unknowns, relaxes(input));
+  if (!(needed > worth_saying * available)) return "";
+  const double fits = setup.system.mesh.sizes.spacing_particle * std::sqrt(needed / available);
+  const std::string text = "some " +
+                           printed("%.2g million unknowns need %.2g GiB of memory, and %.2g GiB are free",
+                                   unknowns / 1e6, needed / gibibyte, available / gibibyte),
+                    remedy =
+                        "Mesh/Interface spacing = " + format_quantity(fits, Dimension::length, 2) + " fits";
+  if (needed > far_more * available) throw InputError(input.file + ": " + text + "; " + remedy);
+  return text + ": the system may end the program; " + remedy;
 }
 
 SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yields) {

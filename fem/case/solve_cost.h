@@ -1,6 +1,8 @@
 // What a case takes to solve, roughly, before it is meshed.
 #pragma once
 
+#include <string>
+
 #include "fem/case/case_setup.h"
 
 namespace asperity::fem {
@@ -12,6 +14,11 @@ double estimated_unknowns(const meshing::BodySizes& sizes, double layers);
 
 /// Peak memory of `asperity solve` on one process [byte]; all_keep_history: all cells of the bodies.
 double estimated_memory(double unknowns, bool all_keep_history = false);
+
+/// What to say where a mesh needs more memory than `available` [byte]; empty: it fits. Throws InputError
+/// where it needs more than twice as much, which no doubt of the estimate explains: the system would end the
+/// program halfway.
+std::string memory_warning(const CaseInput& input, const CaseSetup& setup, double unknowns, double available);
 
 struct SolveCost {
   double unknowns = 0;  ///< [-]

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/machine_memory.h"
 #include "core/quantity.h"
 #include "core/wait_text.h"
 #include "fem/case/derived_spacing.h"
 #include "fem/case/mesh_quality.h"
+#include "fem/case/solve_cost.h"
 #include "fem/contact/carried_state.h"
 #include "fem/experiments/contact_experiment.h"
 #include "fem/materials/material_law.h"
@@ -57,6 +59,11 @@ bool ContactExperiment::start() {
       format_quantity(sizes.region_particle, Dimension::length) + ", Hertz contact radius " +
       format_quantity(setup_.hertz_radius, Dimension::length));
   for (const std::string& text : resolution_texts(setup_)) say(text);
+  if (ranks_ == 1) {  // others may be on machines of their own
+    const double unknowns = estimated_unknowns(sizes, input_.mesh.layers) * path_.share_at_a_time();
+    if (const auto text = memory_warning(input_, setup_, unknowns, available_memory()); !text.empty())
+      say(text);
+  }
   mesh(path_.first(), nullptr);
   state_ = solver_->first_touch();
   state_.motion = program_.front().motion;
