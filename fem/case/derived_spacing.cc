@@ -91,6 +91,8 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
   const bool by_waves = std::isfinite(wave) && spacing >= wave / cells_per_wave;
   const bool by_zone = !by_waves && spacing >= setup.attraction.zone / cells_over_attraction_zone;
   if (unknowns <= most_unknowns) return;
+  // Fine cells may travel with a contact on a long way.
+  if (!by_waves && !by_zone && estimated_cost(input, setup, true).unknowns <= most_unknowns) return;
   const double affordable = spacing * std::sqrt(unknowns / most_unknowns);
   const std::string cells = ", which take cells of " + length_text(spacing) + " and some " +
                             number_text(unknowns / 1e6) + " million unknowns; ";
