@@ -33,7 +33,7 @@ std::string settings_refusal(const std::string& text) {
   return message_of<InputError>([&] { read_settings(file); });
 }
 
-#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text).substr(0, 300)
+#define EXPECT_TEXT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text).substr(0, 300)
 
 TEST(LimitsOfJson_analytic, nesting_ends_at_64_levels_with_the_line_where_it_passes_them) {
   EXPECT_TRUE(parse_json(repeated("[", 64) + repeated("]", 64), "a.json").is_array());
@@ -54,7 +54,7 @@ TEST(LimitsOfJson_analytic, brackets_in_texts_and_side_by_side_are_no_nesting) {
 }
 
 TEST(LimitsOfJson_analytic, a_number_beyond_any_double_is_refused_as_input) {
-  EXPECT_CONTAINS(message_of<InputError>([] { parse_json("{\"a\": 1e999}", "a.json"); }),
+  EXPECT_TEXT_HAS(message_of<InputError>([] { parse_json("{\"a\": 1e999}", "a.json"); }),
                   "a.json: it holds a number beyond");
 }
 
@@ -66,9 +66,9 @@ TEST(LimitsOfJson_analytic, memory_stays_below_the_stated_multiple) {
 }
 
 TEST(LimitsOfParameterFiles_analytic, nesting_is_refused_in_both_forms) {
-  EXPECT_CONTAINS(settings_refusal(repeated("{\"a\":", 100000) + "0" + repeated("}", 100000)),
+  EXPECT_TEXT_HAS(settings_refusal(repeated("{\"a\":", 100000) + "0" + repeated("}", 100000)),
                   "case.prm:1: objects and lists are nested more than 64 deep");
-  EXPECT_CONTAINS(settings_refusal(repeated("subsection a\n", 60000)),
+  EXPECT_TEXT_HAS(settings_refusal(repeated("subsection a\n", 60000)),
                   "case.prm:65: subsections stand in each other more than 64");
 }
 
@@ -77,16 +77,16 @@ TEST(LimitsOfParameterFiles_analytic, files_that_include_each_other_twice_end) {
   for (int i = 0; i < 14; ++i)
     folder.write("a" + std::to_string(i), repeated("include a" + std::to_string(i + 1) + "\n", 3));
   folder.write("a14", "set A = 1\n");
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_settings(folder.path / "a0"); }),
+  EXPECT_TEXT_HAS(message_of<InputError>([&] { read_settings(folder.path / "a0"); }),
                   "more than 256 files are included");
 }
 
 TEST(LimitsOfParameterFiles_analytic, long_lines_and_files_are_refused) {
-  EXPECT_CONTAINS(settings_refusal("set A = " + std::string(300000, 'x') + "\n"),
+  EXPECT_TEXT_HAS(settings_refusal("set A = " + std::string(300000, 'x') + "\n"),
                   "case.prm:1: this line is longer than 262144");
-  EXPECT_CONTAINS(settings_refusal("# a case\nset A = 1 \\\n" + repeated("aaaaaaaaaaaaaaaa \\\n", 20000)),
+  EXPECT_TEXT_HAS(settings_refusal("# a case\nset A = 1 \\\n" + repeated("aaaaaaaaaaaaaaaa \\\n", 20000)),
                   "case.prm:2: this line is longer");
-  EXPECT_CONTAINS(settings_refusal(repeated("# a comment\n", 100000)), "more than a parameter file has");
+  EXPECT_TEXT_HAS(settings_refusal(repeated("# a comment\n", 100000)), "more than a parameter file has");
 }
 
 TEST(LimitsOfTables_analytic, memory_stays_below_the_stated_multiple) {
@@ -97,7 +97,7 @@ TEST(LimitsOfTables_analytic, memory_stays_below_the_stated_multiple) {
   EXPECT_EQ(outcome.end, ChildOutcome::End::done);
   EXPECT_LT(outcome.peak_bytes, stated_multiple * cells.size());
   const auto wide = folder.write("wide.csv", "a\n" + std::string(MiB, ','));
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_csv(wide); }),
+  EXPECT_TEXT_HAS(message_of<InputError>([&] { read_csv(wide); }),
                   "wide.csv:2: this line is longer than 262144 characters");
 }
 
@@ -105,7 +105,7 @@ TEST(LimitsOfPrograms_analytic, a_megabyte_of_motions_is_refused) {
   const std::string text(MiB, '1');
   EXPECT_EQ(test::in_child([&] { parse_motion_program("roll " + text + " mrad in 3 steps"); }).end,
             ChildOutcome::End::refused);
-  EXPECT_CONTAINS(message_of<InputError>([&] { parse_motion_program("roll " + text); }),
+  EXPECT_TEXT_HAS(message_of<InputError>([&] { parse_motion_program("roll " + text); }),
                   "at most 10000 characters");
 }
 
@@ -113,9 +113,9 @@ TEST(LimitsOfFiles_analytic, what_lies_beyond_4_GiB_or_is_a_device_is_not_read) 
   const TemporaryFolder folder;
   const auto sparse = folder.write("sparse.txt", "1");
   std::filesystem::resize_file(sparse, read_limits::largest_file + 1);
-  EXPECT_CONTAINS(message_of<InputError>([&] { read_file(sparse); }),
+  EXPECT_TEXT_HAS(message_of<InputError>([&] { read_file(sparse); }),
                   "holds more than the 4 GiB that are read of one file");
-  EXPECT_CONTAINS(message_of<InputError>([] { read_file("/dev/zero"); }), "is a device, not a file");
+  EXPECT_TEXT_HAS(message_of<InputError>([] { read_file("/dev/zero"); }), "is a device, not a file");
 }
 
 }  // namespace
