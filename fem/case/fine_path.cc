@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/case/contact_radii.h"
 #include "fem/case/solve_cost.h"
 #include "fem/materials/material_law.h"
 
@@ -28,7 +27,7 @@ FinePath::FinePath(const CaseInput& input, const CaseSetup& setup, const std::ve
   // Strain that has not yet come back is everywhere, and is not carried to another mesh.
   if (relaxes(input)) return;
   stride_ = stride_in_regions * sizes_.region_particle;
-  const double widest = std::max(setup.largest_radius, attracted_radius(input, setup));
+  const double widest = std::max(setup.largest_radius, setup.least_radius);  // which attraction may draw
   margin_ = std::max(0.0, reach_in_radii * widest - sizes_.region_particle);
   if (share_at_a_time() > worth_it) stride_ = 0;
 }
