@@ -30,10 +30,10 @@ double estimated_memory(double unknowns, bool all_keep_history) {
 
 std::string memory_warning(const CaseInput& input, const CaseSetup& setup, double unknowns,
                            double available) {
-  constexpr double gibibyte = 1 << 30, far_more = 2, worth_saying = 1;
+  constexpr double gibibyte = 1 << 30, far_more = 2, worth_saying = 1, filled = 0.75;
   const double needed = estimated_memory(unknowns, relaxes(input));
   if (!(needed > worth_saying * available)) return "";
-  const double fits = setup.system.mesh.sizes.spacing_particle * std::sqrt(needed / available);
+  const double fits = setup.system.mesh.sizes.spacing_particle * std::sqrt(needed / (filled * available));
   const std::string text = "some " +
                            printed("%.2g million unknowns need %.2g GiB of memory, and %.2g GiB are free",
                                    unknowns / 1e6, needed / gibibyte, available / gibibyte),

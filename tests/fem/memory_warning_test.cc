@@ -16,12 +16,12 @@ TEST(MemoryWarning_behaviour, refuses_what_is_far_too_large_and_says_what_is_too
   EXPECT_EQ(fem::memory_warning(input, setup, unknowns, 1.01 * needed), "");
   const std::string text = fem::memory_warning(input, setup, unknowns, 0.8 * needed);
   EXPECT_NE(text.find("0.88 GiB of memory, and 0.71 GiB are free"), std::string::npos) << text;
-  EXPECT_NE(text.find("Mesh/Interface spacing = 11 nm"), std::string::npos) << text;
+  EXPECT_NE(text.find("Mesh/Interface spacing = 13 nm"), std::string::npos) << text;
   const std::string message =
       test::message_of<InputError>([&] { fem::memory_warning(input, setup, unknowns, needed / 4); });
-  // Half as many nodes along each side.
+  // Half as many nodes along each side, and some room.
   EXPECT_NE(message.find("test.prm: some 1 million unknowns need"), std::string::npos) << message;
-  EXPECT_NE(message.find("Mesh/Interface spacing = 20 nm"), std::string::npos) << message;
+  EXPECT_NE(message.find("Mesh/Interface spacing = 23 nm"), std::string::npos) << message;
 }
 
 }  // namespace
