@@ -126,7 +126,7 @@ CaseInput with_derived_path_length(const CaseInput& input) {
   if (e.type == Motion::torsion && e.angle == 0) {
     e.angle = 6 * full_slip_angle(input, setup.largest_contact_force(), setup.hertz_radius);
     // Drawn to this radius the bodies bear on each other as under the load that presses Hertz' contact to it.
-    const double bears = 4.0 / 3 * setup.reduced_modulus * std::pow(attracted, 3) / input.radius;
+    const double bears = hertz_of(input).force(attracted * attracted / input.radius);
     if (attracted > 0) e.angle = std::max(e.angle, 4 * full_slip_angle(input, bears, attracted));
   }
   return derived;

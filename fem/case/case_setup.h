@@ -28,7 +28,7 @@ struct CaseSetup {
   double hertz_radius = 0;                     ///< a of the smooth elastic contact at the largest load [m]
   double hertz_approach = 0;                   ///< its approach [m]
   double filmed_radius = 0;                    ///< the same with their films; Hertz' without any [m]
-  double least_radius = 0;                     ///< of that which is meshed and moved (contact_radii.h) [m]
+  double least_radius = 0;                     ///< of any contact, which is meshed (contact_radii.h) [m]
   double largest_radius = 0;                   ///< of a smooth contact that may yield, at most [m]
   double reduced_modulus = 0;                  ///< E* [Pa]
   double largest_load = 0;                     ///< given, or Hertz' at the largest approach [N]

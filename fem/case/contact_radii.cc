@@ -46,7 +46,7 @@ double least_contact_radius(const CaseInput& input, const CaseSetup& setup) {
       setup.largest_contact_force() + 2 * M_PI * work_of_adhesion(input.interface).closing * input.radius;
   const double wave =
       std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
-  return std::max(elastic, std::min(std::cbrt(0.75 * bears * input.radius / setup.reduced_modulus), wave));
+  return std::max(elastic, std::min(hertz_of(input).contact_radius(bears), wave));
 }
 
 double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {

@@ -102,11 +102,15 @@ void require_affordable(const CaseInput& input, const CaseSetup& setup) {
         "leave out the shorter waves with cutoff=" + length_text(cells_per_wave * affordable, 2) +
         " in Topography, lower the load, or accept what a mesh of your own "
         "Mesh/Interface spacing leaves out");
+  const auto& sizes = setup.system.mesh.sizes;
+  const std::string path =
+      sizes.reach_particle > 0 || sizes.reach_substrate > 0 ? "shorten the path of the contact, " : "";
   if (!by_zone)
     throw InputError(input.file + ": under this load smooth bodies touch over a radius of " +
                      length_text(setup.least_radius) + ", and these may touch anywhere within ±" +
-                     length_text(setup.system.mesh.sizes.region_particle) + cells +
-                     "raise the load, set a smaller Mesh/Contact region, or accept what a mesh of your own "
+                     length_text(setup.system.mesh.sizes.region_particle) + cells + "raise the load, " +
+                     path +
+                     "set a smaller Mesh/Contact region, or accept what a mesh of your own "
                      "Mesh/Interface spacing (" +
                      length_text(affordable, 2) + ") leaves out");
   // The zone goes with the square of the length over which attraction falls.

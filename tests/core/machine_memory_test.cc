@@ -18,13 +18,14 @@ TEST(MachineMemory_behaviour, is_what_the_system_calls_available) {
 }
 
 TEST(MachineMemory_behaviour, is_no_more_than_a_control_group_allows) {
-  const auto left = [](const char* largest, const char* current) {
-    std::istringstream most(largest), taken(current);
+  const auto left = [](const char* largest, const char* statistics) {
+    std::istringstream most(largest), taken(statistics);
     return memory_of_group(most, taken);
   };
-  EXPECT_EQ(left("1073741824\n", "268435456\n"), 805306368);
-  EXPECT_EQ(left("1000\n", "2000\n"), 0);
-  EXPECT_TRUE(std::isinf(left("max\n", "268435456\n")));
+  EXPECT_EQ(left("1073741824\n", "anon 268435456\nfile 805306368\n"), 805306368);  // files give way
+  EXPECT_EQ(left("1000\n", "anon 2000\n"), 0);
+  EXPECT_EQ(left("1000\n", ""), 1000);
+  EXPECT_TRUE(std::isinf(left("max\n", "anon 268435456\n")));
   EXPECT_TRUE(std::isinf(left("", "")));
   EXPECT_GT(available_memory(), 0);
 }

@@ -7,8 +7,10 @@
 #include "core/error.h"
 #include "core/hertz_separation.h"
 #include "fem/case/case_setup.h"
+#include "tests/fem/support/solved_experiment.h"
 #include "tests/fem/support/sphere_on_silicon.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/verification.h"
 
 namespace asperity {
 namespace {
@@ -72,6 +74,29 @@ TEST(WidenedContact_analytic, meshes_a_contact_that_little_but_its_attraction_pr
   EXPECT_NE(message.find("raise the load"), std::string::npos) << message;
   rough.mesh.interface_spacing = 10e-9;
   EXPECT_NO_THROW(fem::set_up_sizes(rough));
+}
+
+/// Path, mesh and steps as they are derived: rolled, the contact closes by the one work and opens by the
+/// other, over its width. Where the region ends within the attraction the moment rises towards the end of the
+/// path.
+TEST(WidenedContactNightly_analytic, a_particle_that_its_adhesion_presses_is_resisted_as_Kendall_says) {
+  const test::TemporaryFolder folder;
+  CaseInput input = moved("smooth", 0, Motion::rolling);
+  input.interface.work_of_adhesion = 0.05, input.interface.work_of_separation = 0.1;
+  input.interface.parameters["Adhesion range"] = 2e-9;
+  input.experiment.normal_load = 1e-12;
+  input.experiment.load_steps = 3;
+  input.experiment.reverse = input.experiment.unload = false;
+  input.output.fields = false;
+  const auto solved = test::solve_experiment(input, folder.path);
+  const auto moment = solved.history.numbers("rolling_moment [N m]"),
+             area = solved.history.numbers("contact_area [m^2]");
+  test::Largest off;
+  for (std::size_t k = moment.size() / 2; k < moment.size(); ++k)
+    off.count(moment[k] / (0.05 * 2 * std::sqrt(area[k] / M_PI) * input.radius) - 1);
+  EXPECT_TRUE((test::Verified{"Rolling", "a particle under 1 pN, work of adhesion 50 and 100 mJ/m^2: moment",
+                              "Kendall (1975)"}
+                   .below(100 * off, 1.5, "%")));
 }
 
 /// A mesh that is fine on the whole path would have more than 4 million unknowns.
