@@ -64,7 +64,7 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
     DiagnosedEffect effect{d.id, d.title, d.equation, d.source, d.meaning, d.kind, probability, {}, {}, {}};
     for (std::size_t k = 0; k < fit.values.size(); ++k) {
       const FreeParameter& free = fit.explanation->parameters()[k];
-      if (free.effect != static_cast<int>(e)) continue;
+      if (free.effect != static_cast<int>(e) || known.is_held(k)) continue;
       const DiagnosedParameter as_fitted = known.parameter(k, inflation);
       const bool is_size =
           d.kind == EffectKind::contact && (as_fitted.unit == "N" || as_fitted.unit == "J/m^2");

@@ -57,8 +57,7 @@ std::string remark_on_too_little_noise(const FitProblem& problem, const ModelFit
            "and no row tests the law between them";
   const bool is_given = std::any_of(problem.noise.from.begin(), problem.noise.from.end(),
                                     [](const std::string& from) { return from.rfind("given", 0) == 0; });
-  const double freedom =
-      static_cast<double>(fit.count) - static_cast<double>(fit.explanation->parameters().size());
+  const double freedom = static_cast<double>(fit.count) - static_cast<double>(fit.free_parameters());
   constexpr double chance = 1e-6;
   const double chi2 = chi2_reduced(problem.samples, fit.residual(problem.samples), problem.noise);
   if (!is_given || freedom < 1 ||

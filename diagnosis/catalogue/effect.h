@@ -27,6 +27,9 @@ struct EffectParameter {
   /// Value with which there is no effect, in `unit`: an interval that holds it names none. NaN: there is no
   /// such value.
   double no_effect = std::numeric_limits<double>::quiet_NaN();
+  /// Value with which the law does without the parameter, in `unit`: it is free, counts and is said only
+  /// where the data earn it. NaN: it always is.
+  double absent = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What an effect says of itself.

@@ -1,5 +1,7 @@
 // docs/effects.md from the catalogue itself.
 
+#include <cmath>
+
 #include "core/printed.h"
 #include "diagnosis/catalogue/effect.h"
 
@@ -61,8 +63,9 @@ std::string effects_manual(Equations equations) {
     }
     text += "\n| parameter | unit | meaning | from | to |\n| --- | --- | --- | --- | --- |\n";
     for (const auto& p : parameters)
-      text += "| `" + p.name + "` | " + (p.unit.empty() ? "–" : p.unit) + " | " + p.meaning + " | " +
-              plain(p.low) + " | " + plain(p.high) + " |\n";
+      text += "| `" + p.name + "` | " + (p.unit.empty() ? "–" : p.unit) + " | " + p.meaning +
+              (std::isfinite(p.absent) ? "; only where the data show it" : "") + " | " + plain(p.low) +
+              " | " + plain(p.high) + " |\n";
   }
   return text;
 }

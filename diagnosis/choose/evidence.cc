@@ -38,7 +38,7 @@ double beyond_rounding(double score) {
 
 void score(Candidate& candidate, const Experiment& experiment, std::size_t admissible,
            double overdispersion) {
-  const auto parameters = static_cast<double>(candidate.fit.explanation->parameters().size());
+  const auto parameters = static_cast<double>(candidate.fit.free_parameters());
   const Effects& members = candidate.fit.explanation->effects();
   double effects = 0;
   for (const Effect* effect : members)

@@ -15,6 +15,8 @@ using Effects = std::vector<const Effect*>;
 
 /// Log evidence by which a set must be better than one with a member less.
 constexpr double evidence_for_another = 4;
+/// Log evidence by which a set is too far behind for a rival, and one layer for one of another.
+constexpr double far = 4 * as_good, far_of_layers = 6 * as_good;
 /// Log evidence by which an effect of the instrument is named however small its part is.
 constexpr double plain_evidence = 25;
 /// Part of the mismatch that a further effect must explain, where the set then leaves noise and where it does
@@ -151,7 +153,7 @@ bool would_be_ahead(const Candidate& candidate, const Candidate& best) {
 bool is_far_behind(const Candidate& candidate, const Candidate& best) {
   const auto is_layer = [](const Candidate& of) { return has_layer(of.fit.explanation->effects()); };
   const bool looks_alike = would_be_ahead(candidate, best) && is_layer(candidate) && is_layer(best);
-  return candidate.score < best.score - (looks_alike ? 6 : 4) * as_good;
+  return candidate.score < best.score - (looks_alike ? far_of_layers : far);
 }
 
 void credit_layers(const FitProblem& problem, const Scanner& scanner, SearchResult& search) {
@@ -162,10 +164,13 @@ void credit_layers(const FitProblem& problem, const Scanner& scanner, SearchResu
   };
   std::vector<Credit> credits;
   for (const Candidate& candidate : search.candidates) {
-    if (is_far_behind(candidate, search.candidates.front())) continue;
+    const Candidate& best = search.candidates.front();
+    if (is_far_behind(candidate, best)) continue;
     if (!has_layer(candidate.fit.explanation->effects()) || !candidate.fit.is_itself()) continue;
     const Members members = members_of(problem, search, scanner, candidate);
-    if (members.count && leaves_noise(problem, search, scanner, candidate)) return;  // by its own law
+    if (members.count && candidate.score > best.score - far &&
+        leaves_noise(problem, search, scanner, candidate))
+      return;  // by its own law
     if (!members.mended || members.mended->score >= candidate.score) continue;
     credits.push_back({members.mended, &candidate});
   }

@@ -52,7 +52,7 @@ void take_better(SearchResult& result, const Candidate& found) {
   const auto same = place_of(result, found.fit.explanation->effects());
   if (same == result.candidates.end())
     result.candidates.push_back(found);
-  else if (found.cost < same->cost - another_valley)
+  else if (found.cost_with_parameters() < same->cost_with_parameters() - another_valley)
     *same = found;
 }
 
@@ -104,7 +104,7 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
       // Where responses jump one start may stay in a valley beside: all of them, if none was tried yet.
       if (start.explanation->is_smooth() || is_fitted(result, sets[i].first)) continue;
       const Candidate anew = cost(fit_explanation(problem, sets[i].first, &start));
-      if (anew.cost < found[i].cost) found[i] = anew;
+      if (anew.cost_with_parameters() < found[i].cost_with_parameters()) found[i] = anew;
     }
     for (const Candidate& candidate : found) take_better(result, candidate);
   }
@@ -114,6 +114,20 @@ void refit_within_larger(SearchResult& result, const FitProblem& problem, const 
 }  // namespace
 
 namespace {
+
+/// The fit with parameters free that the laws can do without, where that is worth what they take of the
+/// evidence; what `near` holds or has free stays so.
+void free_what_is_earned(Candidate& candidate, const FitProblem& problem, const LawErrors& laws,
+                         const ModelFit& baseline, const ModelFit* near) {
+  const auto count = static_cast<double>(candidate.fit.count);
+  const bool could_pay = candidate.fit.cost > count + std::log(count);
+  const std::size_t held = candidate.fit.values.size() - candidate.fit.free_parameters();
+  if (held == near->values.size() - near->free_parameters() || !could_pay) return;
+  Candidate freed;
+  freed.fit = fit_explanation(problem, candidate.fit.explanation->effects(), near, Freedom::all);
+  cost_explanation(freed, problem, laws, baseline);
+  if (freed.cost_with_parameters() < candidate.cost_with_parameters()) candidate = std::move(freed);
+}
 
 /// Sets that are not fitted yet, each with the smaller fit that it grows from by one effect.
 class LargerSets {
@@ -142,6 +156,7 @@ class LargerSets {
     for (std::size_t i = 0; i < sets_.size(); ++i) {
       fitted[i].fit = fit_explanation(problem, sets_[i].first, sets_[i].second);
       cost_explanation(fitted[i], problem, laws, baseline);
+      free_what_is_earned(fitted[i], problem, laws, baseline, sets_[i].second);
     }
     return fitted;
   }

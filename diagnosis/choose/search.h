@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -25,6 +26,11 @@ struct Candidate {
   /// credit_layers()); null: they are its own.
   std::shared_ptr<const ModelFit> where_mended;
 
+  /// With what each free parameter takes of the evidence (Schwarz 1978) [-].
+  double cost_with_parameters() const {
+    return cost + static_cast<double>(fit.free_parameters()) *
+                      std::log(static_cast<double>(std::max<std::size_t>(2, fit.count)));
+  }
   /// The least of the costs over what the laws may be off by [-].
   double least_cost() const { return costs.empty() ? cost : *std::min_element(costs.begin(), costs.end()); }
   /// -2 log likelihood of what is left: of a case that was slid beyond what its mesh may be off by, which the

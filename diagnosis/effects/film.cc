@@ -56,9 +56,7 @@ class Film : public Effect {
         {Motion::normal},
         {},
         {"normal_law", "layer"},  // one curve does not tell a film from the layer of asperities upon it
-        1,
-        true,
-        0.15};
+        1};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {

@@ -28,7 +28,10 @@ class RoughnessCompliance : public Effect {
         EffectKind::contact,
         {Motion::normal},
         {},
-        {"layer"}};
+        {"layer"},
+        2,
+        true,
+        0.1};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
@@ -47,26 +50,29 @@ class RoughnessCompliance : public Effect {
          1e-3,
          1e3,
          true,
-         {0.03, 1}}};
-    if (has_own_zero(e)) {
+         {0.03, 1},
+         true}};
+    if (is_beside_smooth_case(e)) {
       // First asperities are no stiffer than the sphere at the depth l: f_0/l <= 2 E* (R l)^(1/2).
       list.back().high = 1.5;
       list.back().logarithmic = false;
       list.back().bounds_are_meant = true;
-      constexpr double largest = 0.02, usual = 2e-3;
-      list.push_back(
-          {"zero_force",
-           "N",
-           "force at which the displacement was set to zero; no instrument resolves the first asperity",
-           0,
-           largest * e.largest_force,
-           false,
-           {0, usual * e.largest_force},
-           true});
     }
+    if (!has_own_zero(e)) return list;
+    constexpr double largest = 0.02, usual = 2e-3;
+    list.push_back(
+        {"zero_force",
+         "N",
+         "force at which the displacement was set to zero; no instrument resolves the first asperity",
+         0,
+         largest * e.largest_force,
+         false,
+         {0, usual * e.largest_force},
+         true});
+    if (!e.by_finite_elements) list.back().absent = 0;
     return list;
   }
-  bool is_one_curve(const Experiment& e) const override { return has_own_zero(e); }
+  bool is_one_curve(const Experiment& e) const override { return is_beside_smooth_case(e); }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
   /// A layer fixes no topography: with a zero of its own its length was 0.27 to 1.07 of the RMS height on the
   /// 21 of 24 rough half-spaces whose zero was seen (docs/diagnosis.md). Waves are a sixth to two fifths of
@@ -106,8 +112,9 @@ class RoughnessCompliance : public Effect {
   }
 
  private:
-  /// Beside a smooth case; a rough one knows its own.
-  static bool has_own_zero(const Experiment& e) { return e.by_finite_elements && e.case_is_smooth; }
+  static bool is_beside_smooth_case(const Experiment& e) { return e.by_finite_elements && e.case_is_smooth; }
+  /// A rough case knows its own.
+  static bool has_own_zero(const Experiment& e) { return !e.by_finite_elements || e.case_is_smooth; }
 };
 
 }  // namespace

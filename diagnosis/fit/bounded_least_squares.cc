@@ -26,6 +26,10 @@ MatrixXd jacobian(const Residuals& residuals, const VectorXd& x, const VectorXd&
   MatrixXd J(r.size(), x.size());
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     VectorXd other = x;
+    if (low[k] == high[k]) {
+      J.col(k).setZero();
+      continue;
+    }
     const double h = steps[k] * std::max(1.0, std::abs(x[k]));
     other[k] = x[k] + h <= high[k] ? x[k] + h : std::max(low[k], x[k] - h);
     J.col(k) = (residuals(other) - r) / (other[k] - x[k]);
@@ -73,6 +77,8 @@ MatrixXd covariance_at(const Residuals& residuals, const VectorXd& x, const Vect
     MatrixXd H = J.transpose() * weighted(J, r);
     H.diagonal().array() += 1e-12;
     covariance = H.ldlt().solve(MatrixXd::Identity(x.size(), x.size()));
+    for (Eigen::Index k = 0; k < x.size(); ++k)
+      if (low[k] == high[k]) covariance(k, k) = 0;  // held, and of zero columns: apart from the others
     for (Eigen::Index k = 0; k < x.size(); ++k)
       steps[k] = std::clamp(std::sqrt(std::max(0.0, covariance(k, k))) / std::max(1.0, std::abs(x[k])),
                             smallest_step, largest_step);

@@ -92,8 +92,8 @@ Explanation::Explanation(const Experiment& experiment, const SimulationChoice& c
   }
   for (std::size_t e = 0; e < effects_.size(); ++e)
     for (const auto& p : effects_[e]->parameters(experiment)) {
-      FreeParameter free{p.name, p.unit,   static_cast<int>(e), p.low,      p.high, p.logarithmic,
-                         1,      p.starts, p.bounds_are_meant,  p.no_effect};
+      FreeParameter free{p.name, p.unit,   static_cast<int>(e), p.low,       p.high,  p.logarithmic,
+                         1,      p.starts, p.bounds_are_meant,  p.no_effect, p.absent};
       if (!p.logarithmic) {
         free.scale = 0;
         for (const double start : p.starts) free.scale = std::max(free.scale, std::abs(start));
@@ -182,6 +182,7 @@ ModelFit ModelFit::only(const FitProblem& problem, const std::vector<const Effec
         p.effect < 0 ? nullptr : fewer.explanation->effects()[static_cast<std::size_t>(p.effect)];
     const double* value = value_of(p.name, owner);
     fewer.values.push_back(value ? *value : *baseline.value_of(p.name, owner));
+    fewer.held.push_back(value && is_held(static_cast<std::size_t>(value - values.data())));
   }
   return fewer;
 }
@@ -239,6 +240,8 @@ std::vector<ModelFit> ModelFit::in_simpler_form(const FitProblem& problem) const
         const Effect* owner = p.effect < 0 ? nullptr : simple->effects()[static_cast<std::size_t>(p.effect)];
         const double* known = owner == simpler ? &start[next++] : value_of(p.name, owner);
         fit.values.push_back(std::clamp(known ? *known : p.starts.front(), p.low, p.high));
+        fit.held.push_back(known && owner != simpler &&
+                           is_held(static_cast<std::size_t>(known - values.data())));
       }
       fits.push_back(fit);
     }

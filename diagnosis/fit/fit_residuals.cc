@@ -6,14 +6,15 @@ namespace asperity {
 
 using Eigen::VectorXd;
 
-Coordinates bounds_of(const Explanation& explanation, const LikelySurface& surface) {
+Coordinates bounds_of(const ModelFit& fit, const LikelySurface& surface) {
   constexpr double farthest_zero = 5;  // standard deviations
-  const auto& parameters = explanation.parameters();
+  const auto& parameters = fit.explanation->parameters();
   const auto count = static_cast<Eigen::Index>(parameters.size()) + (surface.is_another() ? 1 : 0);
   Coordinates b{VectorXd::Constant(count, -farthest_zero), VectorXd::Constant(count, farthest_zero)};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    b.low[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].low);
-    b.high[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].high);
+    const FreeParameter& p = parameters[k];
+    b.low[static_cast<Eigen::Index>(k)] = p.coordinate(fit.is_held(k) ? p.absent : p.low);
+    b.high[static_cast<Eigen::Index>(k)] = p.coordinate(fit.is_held(k) ? p.absent : p.high);
   }
   return b;
 }

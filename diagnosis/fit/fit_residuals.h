@@ -11,11 +11,11 @@
 
 namespace asperity {
 
-/// Bounds of the search.
+/// Bounds of the search; the same above and below of a parameter that is held.
 struct Coordinates {
   Eigen::VectorXd low, high;
 };
-Coordinates bounds_of(const Explanation& explanation, const LikelySurface& surface);
+Coordinates bounds_of(const ModelFit& fit, const LikelySurface& surface);
 
 /// Of these values, and of the surface's zero.
 Eigen::VectorXd coordinates_of(const Explanation& explanation, const std::vector<double>& values,

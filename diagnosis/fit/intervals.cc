@@ -113,7 +113,7 @@ ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
   ModelFit result = fit;
   const Explanation& explanation = *fit.explanation;
   const auto surface = std::make_shared<LikelySurface>(problem, fit, problem.samples);
-  const Coordinates bounds = bounds_of(explanation, *surface);
+  const Coordinates bounds = bounds_of(fit, *surface);
   const Residuals residuals = residuals_of(problem, explanation, problem.samples, surface);
   const double inflation = std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count)));
   const VectorXd x = coordinates_of(explanation, fit.values, *surface);

@@ -125,7 +125,7 @@ bool ModelFit::holds_no_effect(double inflation) const {
 }
 
 ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects,
-                         const ModelFit* near) {
+                         const ModelFit* near, Freedom freedom) {
   const auto explanation =
       std::make_shared<Explanation>(problem.experiment, problem.choice, effects, problem.correction);
   // From a smaller explanation, most of the values are known. Where responses jump there are many valleys.
@@ -135,10 +135,16 @@ ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effe
   const std::size_t searched = jumps ? 5 : grown && explanation->is_smooth() ? 2 : 3;
   ModelFit fit;
   fit.explanation = explanation;
+  for (const FreeParameter& p : explanation->parameters()) {
+    const Effect* owner = p.effect < 0 ? nullptr : explanation->effects()[static_cast<std::size_t>(p.effect)];
+    const double* known = near ? near->value_of(p.name, owner) : nullptr;
+    fit.held.push_back(known ? near->is_held(static_cast<std::size_t>(known - near->values.data()))
+                             : freedom == Freedom::as_laws_need && std::isfinite(p.absent));
+  }
   const auto points = starting_points(problem, *explanation, near);
   fit.values = points.front();
   const auto surface = std::make_shared<LikelySurface>(problem, near ? *near : fit, problem.thin);
-  const Coordinates bounds = bounds_of(*explanation, *surface);
+  const Coordinates bounds = bounds_of(fit, *surface);
   const auto thin_residuals = residuals_of(problem, *explanation, problem.thin, surface);
   std::vector<std::pair<double, VectorXd>> starts;
   for (const auto& point : points) {
@@ -172,7 +178,7 @@ ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples&
                   int iterations) {
   const Explanation& explanation = *fit.explanation;
   const auto surface = std::make_shared<LikelySurface>(problem, fit, samples);
-  const Coordinates bounds = bounds_of(explanation, *surface);
+  const Coordinates bounds = bounds_of(fit, *surface);
   const VectorXd x = coordinates_of(explanation, fit.values, *surface);
   BoundedFitOptions options;
   options.most_iterations = iterations;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <memory>
 
 #include "diagnosis/fit/bounded_least_squares.h"
@@ -28,6 +29,8 @@ struct FitProblem {
 struct ModelFit {
   std::shared_ptr<const Explanation> explanation;
   std::vector<double> values;  ///< of explanation->parameters()
+  /// Which of the parameters the law does without, held at FreeParameter::absent; empty: none.
+  std::vector<bool> held;
   /// Factors of the ways in which the recorded surface differs from the case's, as last known [-]; empty:
   /// none.
   std::vector<double> surface;
@@ -53,6 +56,11 @@ struct ModelFit {
   /// The same with these of its effects only; parameters that the others replaced are those of `baseline`.
   ModelFit only(const FitProblem& problem, const std::vector<const Effect*>& effects,
                 const ModelFit& baseline) const;
+  bool is_held(std::size_t parameter) const { return !held.empty() && held[parameter]; }
+  /// How many of the parameters are free [-].
+  std::size_t free_parameters() const {
+    return values.size() - static_cast<std::size_t>(std::count(held.begin(), held.end(), true));
+  }
   /// Null where it has no such parameter; `owner` null: of the simulation itself.
   /// In the parameter's unit.
   const double* value_of(const std::string& name, const Effect* owner) const;
@@ -74,9 +82,11 @@ struct ModelFit {
 };
 
 /// From the parameters' own starts, those read off the residuals, and `near`: values of a smaller explanation
-/// within this one.
+/// within this one. Parameters that laws can do without are held or free as there, and else
+/// held, or free as well.
+enum class Freedom { as_laws_need, all };
 ModelFit fit_explanation(const FitProblem& problem, const std::vector<const Effect*>& effects,
-                         const ModelFit* near = nullptr);
+                         const ModelFit* near = nullptr, Freedom freedom = Freedom::as_laws_need);
 /// From where a fit stands, on these samples (some of which may not count): parameters and cost there.
 ModelFit refitted(const FitProblem& problem, const ModelFit& fit, const Samples& samples, bool covariance,
                   int iterations);

@@ -219,13 +219,13 @@ TEST(SeriesParts_analytic, take_displacement_by_their_formulas) {
   // A layer of 0.1 nm: an e-fold of a light load takes its length, and of a heavy one a third.
   const double layer = 0.1 * nm, efold = std::exp(1.0), light = 1e-10, heavy = 1;
   const auto taken = [&](double force) {
-    return of("roughness_compliance", {layer, 1e-9}, efold * force) -
-           of("roughness_compliance", {layer, 1e-9}, force);
+    return of("roughness_compliance", {layer, 1e-9, 0}, efold * force) -
+           of("roughness_compliance", {layer, 1e-9, 0}, force);
   };
   EXPECT_NEAR(taken(light) / layer, 1, 0.01);
   EXPECT_NEAR(taken(heavy) / layer, 1.0 / 3, 0.01);
-  EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5}, 0), 0);
-  EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5}, -1), 0);
+  EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5, 0}, 0), 0);
+  EXPECT_EQ(of("roughness_compliance", {2 * nm, 0.5, 0}, -1), 0);
 }
 
 /// The layer on the sphere, solved on rings: it needs no Hertz.
@@ -234,7 +234,7 @@ TEST(RoughnessCompliance_other_code, is_that_of_a_layer_solved_on_rings) {
   constexpr double length = 1 * nm, pressure = 1e8;
   const double deepest = 60 * nm, reach = 1.6 * std::sqrt(e.radius * deepest);
   hidden::RoughLayer rings({e.reduced_modulus(), e.radius}, length, pressure, reach, 160);
-  const auto mechanics = assembled(e, "roughness_compliance", {length, 1e-6});
+  const auto mechanics = assembled(e, "roughness_compliance", {length, 1e-6, 0});
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (double approach = -4 * nm; approach < deepest; approach += 2 * nm) {
     const double force = rings.force(approach),
@@ -246,15 +246,17 @@ TEST(RoughnessCompliance_other_code, is_that_of_a_layer_solved_on_rings) {
   EXPECT_LT(most - least, 0.05);
 }
 
-/// Beside a smooth case the displacement is zero at a force of its own; reduced laws and rough cases begin at
-/// first touch.
-TEST(RoughnessCompliance_analytic, of_a_smooth_case_is_counted_from_where_an_instrument_sees_it) {
+/// The displacement is zero at a force of its own, of a reduced law only where the data earn it; a rough case
+/// begins at first touch.
+TEST(RoughnessCompliance_analytic, is_counted_from_where_an_instrument_sees_it) {
   Experiment e = test::experiment(Motion::normal);
   const Effect& layer = effect_of("roughness_compliance");
-  EXPECT_EQ(layer.parameters(e).size(), 2u);
+  ASSERT_EQ(layer.parameters(e).size(), 3u);
+  EXPECT_EQ(layer.parameters(e).back().absent, 0);
   EXPECT_FALSE(layer.is_one_curve(e));
   e.by_finite_elements = true;
   ASSERT_EQ(layer.parameters(e).size(), 3u);
+  EXPECT_TRUE(std::isnan(layer.parameters(e).back().absent));
   EXPECT_TRUE(layer.is_one_curve(e));
   const double seen = 2e-3 * e.largest_force;
   const Mechanics m = assembled(e, "roughness_compliance", {2 * nm, 0.5, seen});

@@ -107,7 +107,7 @@ TEST(Mechanics_analytic, a_radius_ratio_of_four_doubles_the_force) {
 TEST(Mechanics_analytic, the_asperity_layer_adds_its_displacement_to_hertz) {
   const Experiment e = experiment(Motion::normal);
   const Samples path = approach_and_back(0, 50 * nm, 51);
-  const auto f = simulate(with(e, {{"roughness_compliance", {2 * nm, 0.5}}}), path);
+  const auto f = simulate(with(e, {{"roughness_compliance", {2 * nm, 0.5, 0}}}), path);
   const double first = 0.5 * e.hertz().force(2 * nm), smooth = e.hertz().approach(f[40]);
   EXPECT_NEAR(smooth + 2 * nm * std::log(1 + f[40] / first / (1 + 0.914 * smooth / (2 * nm))), 40 * nm,
               1e-13);

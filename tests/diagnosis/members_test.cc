@@ -23,7 +23,7 @@ FitProblem layer_on_a_larger_sphere(double noise, double radius_ratio) {
   problem.samples = test::approach_and_back(1 * nm, 60 * nm, 60);
   const std::vector<double> force =
       simulate(test::with(problem.experiment,
-                          {{"roughness_compliance", {1 * nm, 0.5}}, {"effective_radius", {radius_ratio}}}),
+                          {{"roughness_compliance", {1 * nm, 0.5, 0}}, {"effective_radius", {radius_ratio}}}),
                problem.samples);
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
