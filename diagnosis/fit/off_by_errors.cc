@@ -24,6 +24,9 @@ class Around : public BranchCorrection {
   const std::vector<std::function<double(double)>>& surface_errors() const override {
     return exact_->surface_errors();
   }
+  std::function<double(double)> on_surface(const std::vector<double>& factors) const override {
+    return exact_->on_surface(factors);
+  }
 
  protected:
   const BranchCorrection& exact() const { return *exact_; }
@@ -54,17 +57,14 @@ class OffByStiffnessError : public Around {
 /// With the displacement of another surface.
 class OnSurface : public Around {
  public:
-  OnSurface(std::shared_ptr<const BranchCorrection> exact, std::vector<double> factors)
-      : Around(std::move(exact)), factors_(std::move(factors)) {}
+  OnSurface(std::shared_ptr<const BranchCorrection> exact, const std::vector<double>& factors)
+      : Around(std::move(exact)), change_(this->exact().on_surface(factors)) {}
   double displacement(const Sample& sample, double force) const override {
-    double d = exact().displacement(sample, force);
-    for (std::size_t k = 0; k < factors_.size(); ++k)
-      if (factors_[k] != 0) d += factors_[k] * exact().surface_errors()[k](force);
-    return d;
+    return exact().displacement(sample, force) + change_(force);
   }
 
  private:
-  std::vector<double> factors_;
+  std::function<double(double)> change_;
 };
 
 }  // namespace

@@ -1,53 +1,15 @@
 #include "diagnosis/mapping/branch_curves.h"
 
 #include <Eigen/Dense>
-#include <boost/math/interpolators/makima.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/error.h"
+#include "diagnosis/mapping/force_curve.h"
 
 namespace asperity {
 namespace {
-
-/// Displacement against force, smooth in f^(2/3), as the approach is by Hertz, between what was solved.
-/// Beyond its ends it stays as it is there.
-class ForceCurve {
- public:
-  void add(double force, double displacement) { points_.push_back({scaled(force), displacement}); }
-  void finish() {
-    std::stable_sort(points_.begin(), points_.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    constexpr std::size_t fewest = 4;
-    std::vector<double> x, y;
-    for (const auto& [at, value] : points_)
-      if (x.empty() || at > x.back()) x.push_back(at), y.push_back(value);
-    if (x.size() >= fewest) smooth_ = std::make_shared<Smooth>(std::move(x), std::move(y));
-  }
-  double at(double force) const {
-    const double x = scaled(force);
-    if (points_.empty()) return 0;
-    if (x <= points_.front().first) return points_.front().second;
-    if (x >= points_.back().first) return points_.back().second;
-    if (smooth_) return (*smooth_)(x);
-    const auto after = std::upper_bound(points_.begin(), points_.end(), x,
-                                        [](double value, const auto& point) { return value < point.first; });
-    const auto before = after - 1;
-    const double width = after->first - before->first;
-    return before->second +
-           (width > 0 ? (x - before->first) / width * (after->second - before->second) : 0.0);
-  }
-
- private:
-  /// Piecewise cubic that does not swing where slopes change (Akima 1970).
-  using Smooth = boost::math::interpolators::makima<std::vector<double>>;
-
-  static double scaled(double force) { return std::copysign(std::cbrt(force * force), force); }
-  std::vector<std::pair<double, double>> points_;
-  std::shared_ptr<const Smooth> smooth_;
-};
 
 struct Branches {
   ForceCurve loading, unloading;
@@ -58,7 +20,7 @@ class SolvedDifference : public BranchCorrection {
   std::vector<Branches> of_protocol;
   std::vector<BranchPlace> place;  ///< by Sample::index
   double displacement_error = 0;
-  std::vector<std::function<double(double)>> of_surfaces;
+  SurfaceErrors of_surfaces;
 
   double displacement(const Sample& sample, double force) const override {
     const BranchPlace at = sample.index < place.size() ? place[sample.index] : BranchPlace{};
@@ -66,7 +28,12 @@ class SolvedDifference : public BranchCorrection {
     return (at.unloading ? b.unloading : b.loading).at(force);
   }
   double error() const override { return displacement_error; }
-  const std::vector<std::function<double(double)>>& surface_errors() const override { return of_surfaces; }
+  const std::vector<std::function<double(double)>>& surface_errors() const override {
+    return of_surfaces.each;
+  }
+  std::function<double(double)> on_surface(const std::vector<double>& factors) const override {
+    return of_surfaces.together ? of_surfaces.together(factors) : BranchCorrection::on_surface(factors);
+  }
 };
 
 /// The reduced law under the forces of a solution.
@@ -213,8 +180,8 @@ Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
   return part;
 }
 
-std::vector<std::function<double(double force)>> surface_errors_of(const OtherSurfaces& surfaces) {
-  std::vector<std::function<double(double)>> errors;
+SurfaceErrors surface_errors_of(const OtherSurfaces& surfaces) {
+  SurfaceErrors errors;
   if (surfaces.changes.empty()) return errors;
   const std::vector<double>& force = surfaces.changes.front().force;
   const auto forces = static_cast<Eigen::Index>(force.size()),
@@ -227,21 +194,30 @@ std::vector<std::function<double(double force)>> surface_errors_of(const OtherSu
                                                 Eigen::ComputeThinU);
   constexpr double nothing = 1e-3;  // of the largest
   const Eigen::VectorXd& sizes = parts.singularValues();
+  std::vector<ForceCurve> curves;
   for (Eigen::Index k = 0; k < sizes.size() && sizes[k] > nothing * sizes[0]; ++k) {
     ForceCurve curve;
     curve.add(0, 0);
     for (Eigen::Index i = 0; i < forces; ++i)
       curve.add(force[static_cast<std::size_t>(i)], sizes[k] * parts.matrixU()(i, k));
     curve.finish();
-    errors.push_back([curve](double f) { return f > 0 ? curve.at(f) : 0.0; });
+    errors.each.push_back([curve](double f) { return f > 0 ? curve.at(f) : 0.0; });
+    curves.push_back(std::move(curve));
   }
-  errors.push_back([unseen = surfaces.unseen](double) { return unseen; });
+  const double unseen = surfaces.unseen;
+  errors.each.push_back([unseen](double) { return unseen; });
+  errors.together = [curves = std::move(curves), unseen](const std::vector<double>& factors) {
+    return [all = ForceCurve::sum(curves, factors), zero = factors[curves.size()] * unseen](double f) {
+      return zero + (f > 0 ? all.at(f) : 0.0);
+    };
+  };
   return errors;
 }
 
-std::shared_ptr<const BranchCorrection> difference_to(
-    const std::vector<SolvedResponse>& solved, const RecordedProtocols& protocols, const Mechanics& reduced,
-    double displacement_error, std::vector<std::function<double(double)>> surface_errors) {
+std::shared_ptr<const BranchCorrection> difference_to(const std::vector<SolvedResponse>& solved,
+                                                      const RecordedProtocols& protocols,
+                                                      const Mechanics& reduced, double displacement_error,
+                                                      SurfaceErrors surface_errors) {
   auto difference = std::make_shared<SolvedDifference>();
   difference->displacement_error = displacement_error;
   for (const SolvedResponse& response : solved) {

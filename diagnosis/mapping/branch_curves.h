@@ -45,13 +45,19 @@ Samples solved_part(const Samples& samples, const RecordedProtocols& protocols,
 /// Errors of the displacement, each times a factor of unit variance, as mechanics.h has them: principal
 /// components of the changes (all at the same forces), smooth in f^(2/3) between these, and last what the
 /// zero may be off by.
-std::vector<std::function<double(double force)>> surface_errors_of(const OtherSurfaces& surfaces);
+struct SurfaceErrors {
+  std::vector<std::function<double(double force)>> each;
+  /// Their sum with factors [-], as one curve; asked for only where there are any.
+  std::function<std::function<double(double force)>(const std::vector<double>& factors)> together;
+};
+SurfaceErrors surface_errors_of(const OtherSurfaces& surfaces);
 
 /// The difference to solutions, one for each protocol, for the reduced law `reduced`: a contact without
 /// instruments. `displacement_error`: of solutions that ended before they could state it [m];
 /// `surface_errors`: as above.
-std::shared_ptr<const BranchCorrection> difference_to(
-    const std::vector<SolvedResponse>& solved, const RecordedProtocols& protocols, const Mechanics& reduced,
-    double displacement_error, std::vector<std::function<double(double)>> surface_errors = {});
+std::shared_ptr<const BranchCorrection> difference_to(const std::vector<SolvedResponse>& solved,
+                                                      const RecordedProtocols& protocols,
+                                                      const Mechanics& reduced, double displacement_error,
+                                                      SurfaceErrors surface_errors = {});
 
 }  // namespace asperity

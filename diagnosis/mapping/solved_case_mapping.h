@@ -132,10 +132,10 @@ class SolvedCaseMapping {
   };
   ForwardModel& model_;
   std::function<void(const std::string&)> progress_;
-  RecordedProtocols protocols_;                                      ///< of normal contact
-  std::vector<MotionProtocol> motions_;                              ///< of sliding, rolling and torsion
-  std::vector<double> of_mesh_;                                      ///< of each in the case as it is [N]
-  std::vector<std::function<double(double force)>> surface_errors_;  ///< of normal contact (mechanics.h)
+  RecordedProtocols protocols_;          ///< of normal contact
+  std::vector<MotionProtocol> motions_;  ///< of sliding, rolling and torsion
+  std::vector<double> of_mesh_;          ///< of each in the case as it is [N]
+  SurfaceErrors surface_errors_;         ///< of normal contact
   std::string before_;
   std::vector<Solution> after_;
   std::vector<ConfirmedSet> confirmed_;

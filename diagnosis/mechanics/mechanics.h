@@ -90,6 +90,14 @@ class BranchCorrection {
     static const std::vector<std::function<double(double)>> none;
     return none;
   }
+  /// Their sum with these factors [-]: a displacement [m] over the force [N].
+  virtual std::function<double(double force)> on_surface(const std::vector<double>& factors) const {
+    return [this, factors](double force) {
+      double d = 0;
+      for (std::size_t k = 0; k < factors.size(); ++k) d += factors[k] * surface_errors()[k](force);
+      return d;
+    };
+  }
 };
 
 /// Under normal load.

@@ -14,6 +14,7 @@ namespace asperity {
 namespace {
 
 using test::nm;
+using test::uN;
 
 /// Approach under a force: Hertz and a layer of asperities of this length [m].
 double rough_approach(double force, double length) {
@@ -88,7 +89,7 @@ Recording recorded_on(double length, double compliance = 0) {
   table.response = "normal_displacement";
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0, 0.05 * nm);
-  constexpr double largest = 200 * test::uN;
+  constexpr double largest = 200 * uN;
   for (int i = 1; i <= 300; ++i) {
     const double force = largest * (i <= 150 ? i / 150.0 : (301 - i) / 150.0);
     table.columns["time"].push_back(0.1 * i);
@@ -127,7 +128,7 @@ TEST(OtherSurfaces_behaviour, another_realisation_is_no_mismatch) {
 TEST(OtherSurfaces_behaviour, what_no_realisation_shows_is_still_named) {
   RoughCase simulation;
   simulation.others = lengths;
-  const double compliance = 20 * nm / (200 * test::uN);
+  const double compliance = 20 * nm / (200 * uN);
   const Diagnosis d = diagnosed_on(recorded_on(1.3 * nm, compliance), simulation);
   ASSERT_EQ(d.left_out.size(), 1u) << d.in_words;
   EXPECT_EQ(d.left_out[0].id, "instrument_compliance") << d.in_words;
@@ -144,7 +145,7 @@ TEST(OtherSurfaces_behaviour, what_no_realisation_shows_is_still_named) {
 
 TEST(OtherSurfaces_behaviour, a_compliance_is_named_on_each_of_five_other_surfaces) {
   // Five nanometres of it at the largest load, where surfaces differ by three.
-  const double compliance = 5 * nm / (200 * test::uN);
+  const double compliance = 5 * nm / (200 * uN);
   int named = 0, held = 0;
   std::string answers;
   for (int i = 0; i < 5; ++i) {
@@ -184,7 +185,8 @@ TEST(OtherSurfaces_analytic, errors_have_the_second_moments_of_the_changes) {
   OtherSurfaces surfaces;
   surfaces.changes = {{{1, 8}, {1e-9, 2e-9}}, {{1, 8}, {-3e-9, 4e-9}}, {{1, 8}, {2e-9, -1e-9}}};
   surfaces.unseen = 5e-10;
-  const auto errors = surface_errors_of(surfaces);
+  const auto all = surface_errors_of(surfaces);
+  const auto& errors = all.each;
   ASSERT_EQ(errors.size(), 3u);  // two forces: two ways in which three surfaces differ, and the zero
   const auto moment = [&](double a, double b) {
     return errors[0](a) * errors[0](b) + errors[1](a) * errors[1](b);
@@ -199,7 +201,7 @@ TEST(OtherSurfaces_analytic, errors_have_the_second_moments_of_the_changes) {
   }
   EXPECT_EQ(errors[2](0), 5e-10);
   EXPECT_EQ(errors[2](8), 5e-10);
-  EXPECT_TRUE(surface_errors_of({}).empty());
+  EXPECT_TRUE(surface_errors_of({}).each.empty());
 }
 
 TEST(OtherSurfaces_analytic, changes_are_smooth_between_their_forces) {
@@ -212,11 +214,37 @@ TEST(OtherSurfaces_analytic, changes_are_smooth_between_their_forces) {
     change.displacement.push_back(step * i * step * i * nm);
   }
   surfaces.changes = {change};
-  const auto errors = surface_errors_of(surfaces);
+  const auto errors = surface_errors_of(surfaces).each;
   ASSERT_EQ(errors.size(), 2u);
   for (int i = 2; i < 7; ++i) {
     const double x = step * (i + 0.5);
     EXPECT_NEAR(std::abs(errors[0](std::pow(x, 1.5))), x * x * nm, 0.1 * step * step / 4 * nm) << x;
+  }
+}
+
+/// Two forces have straight lines between them, six a cubic.
+TEST(OtherSurfaces_analytic, changes_together_are_their_sum_under_any_force) {
+  for (const int forces : {2, 6}) {
+    OtherSurfaces surfaces;
+    surfaces.unseen = 0.3 * nm;
+    for (int k = 0; k < 4; ++k) {
+      SurfaceChange change;
+      for (int i = 1; i <= forces; ++i) {
+        change.force.push_back(i * i * uN);
+        change.displacement.push_back(i == 1 ? 0.0 : std::sin(1.7 * i * (k + 1)) * nm);
+      }
+      surfaces.changes.push_back(change);
+    }
+    const SurfaceErrors errors = surface_errors_of(surfaces);
+    std::vector<double> factors;
+    for (std::size_t k = 0; k < errors.each.size(); ++k)
+      factors.push_back(k == 1 ? 0.0 : 0.7 - 0.4 * static_cast<double>(k));
+    const auto together = errors.together(factors);
+    for (double force = -2 * uN; force < 1.2 * forces * forces * uN; force += 0.37 * uN) {
+      double sum = 0;
+      for (std::size_t k = 0; k < factors.size(); ++k) sum += factors[k] * errors.each[k](force);
+      EXPECT_NEAR(together(force) / nm, sum / nm, 1e-12) << force << " of " << forces;
+    }
   }
 }
 
