@@ -61,7 +61,8 @@ Rivalry rivalry(const FitProblem& problem, const JudgedSet& chosen, const Judged
   // One of more parameters that imitates the chosen one is no rival of it.
   const bool is_same = difference < 2 * as_good && other.fit.values.size() <= chosen.fit.values.size() &&
                        apart(problem, chosen.fit, other.fit) < same;
-  return {difference, (difference < as_good && predicts_as_well) || is_same || is_ahead,
+  const double odds = are_layers(chosen.fit, other.fit) ? 2 * as_good : as_good;
+  return {difference, (difference < odds && predicts_as_well) || is_same || is_ahead,
           (difference < 2 * as_good && predicts_as_well) || is_same || is_ahead};
 }
 

@@ -146,13 +146,16 @@ Members members_of(const FitProblem& problem, const SearchResult& search, const 
   return members;
 }
 
+bool are_layers(const ModelFit& one, const ModelFit& other) {
+  return has_layer(one.explanation->effects()) && has_layer(other.explanation->effects());
+}
+
 bool would_be_ahead(const Candidate& candidate, const Candidate& best) {
   return !candidate.where_mended && candidate.score_as_stated > best.score_as_stated;
 }
 
 bool is_far_behind(const Candidate& candidate, const Candidate& best) {
-  const auto is_layer = [](const Candidate& of) { return has_layer(of.fit.explanation->effects()); };
-  const bool looks_alike = would_be_ahead(candidate, best) && is_layer(candidate) && is_layer(best);
+  const bool looks_alike = would_be_ahead(candidate, best) && are_layers(candidate.fit, best.fit);
   return candidate.score < best.score - (looks_alike ? far_of_layers : far);
 }
 

@@ -238,6 +238,22 @@ TEST(JudgedSets_analytic, one_of_more_parameters_that_imitates_is_not_as_good) {
   EXPECT_FALSE(rivalry(problem, chosen, imitates).is_as_good);
 }
 
+/// A film for a layer of asperities was named with odds of thirty to one.
+TEST(JudgedSets_analytic, a_film_and_asperities_are_as_good_within_odds_of_a_hundred) {
+  const Hertz hertz = test::experiment(Motion::normal).hertz();
+  const FitProblem problem = pressed([&](double d) { return hertz.force(d); });
+  Candidate first, second;
+  first.score = first.score_as_stated = 0, second.score = -3, second.score_as_stated = -10;
+  JudgedSet film{&first, with_values(problem, "film", {0.3, 100 * nm}), {}},
+      asperities{&second, with_values(problem, "roughness_compliance", {1 * nm, 0.1, 0}), {}},
+      offset{&second, with_values(problem, "contact_point_offset", {5 * nm}), {}};
+  film.held_out.cost = asperities.held_out.cost = offset.held_out.cost = 1;
+  EXPECT_TRUE(rivalry(problem, film, asperities).is_as_good);
+  EXPECT_FALSE(rivalry(problem, film, offset).is_as_good);
+  second.score = -5;
+  EXPECT_FALSE(rivalry(problem, film, asperities).is_as_good);
+}
+
 TEST(JudgedSets_analytic, a_solution_off_by_more_than_noise_does_not_predict_better_by_noise) {
   // 0.01 nm are 1 uN at most, half of the noise; 0.3 nm are fifteen deviations.
   EXPECT_FALSE(is_as_good({-2, 0.1 * nm, -10, 0.01 * nm}));
