@@ -47,8 +47,8 @@ class RoughnessCompliance : public Effect {
         {"onset",
          "",
          "force of first touch over that at which Hertz' approach is l",
-         1e-3,
-         1e3,
+         least_onset,
+         largest_onset,
          true,
          {0.03, 1},
          true}};
@@ -56,7 +56,6 @@ class RoughnessCompliance : public Effect {
       // First asperities are no stiffer than the sphere at the depth l: f_0/l <= 2 E* (R l)^(1/2).
       list.back().high = 1.5;
       list.back().logarithmic = false;
-      list.back().bounds_are_meant = true;
     }
     if (!has_own_zero(e)) return list;
     constexpr double largest = 0.02, usual = 2e-3;
@@ -71,6 +70,13 @@ class RoughnessCompliance : public Effect {
          true});
     if (!e.by_finite_elements) list.back().absent = 0;
     return list;
+  }
+  /// Where the displacement is counted from a force of its own, first touch may lie as far below as it will.
+  bool is_itself(const Experiment& e, const double* p) const override {
+    if (is_beside_smooth_case(e)) return true;
+    constexpr double inside = 1.01;
+    const bool is_seen_later = has_own_zero(e) && p[2] > 0;
+    return p[1] < largest_onset / inside && (p[1] > inside * least_onset || is_seen_later);
   }
   bool is_one_curve(const Experiment& e) const override { return is_beside_smooth_case(e); }
   EntersBy enters_by(const Experiment&) const override { return EntersBy::in_series; }
@@ -112,6 +118,7 @@ class RoughnessCompliance : public Effect {
   }
 
  private:
+  static constexpr double least_onset = 1e-3, largest_onset = 1e3;
   static bool is_beside_smooth_case(const Experiment& e) { return e.by_finite_elements && e.case_is_smooth; }
   /// A rough case knows its own.
   static bool has_own_zero(const Experiment& e) { return !e.by_finite_elements || e.case_is_smooth; }

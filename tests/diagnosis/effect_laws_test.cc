@@ -254,6 +254,14 @@ TEST(RoughnessCompliance_analytic, is_counted_from_where_an_instrument_sees_it) 
   ASSERT_EQ(layer.parameters(e).size(), 3u);
   EXPECT_EQ(layer.parameters(e).back().absent, 0);
   EXPECT_FALSE(layer.is_one_curve(e));
+  const auto is_layer = [&](double onset, double zero) {
+    const double values[] = {2 * nm, onset, zero};
+    return layer.is_itself(e, values);
+  };
+  EXPECT_TRUE(is_layer(0.1, 0));
+  EXPECT_FALSE(is_layer(1e-3, 0)) << "a bound of the search";
+  EXPECT_TRUE(is_layer(1e-3, 1 * uN)) << "what lies below the zero is not recorded";
+  EXPECT_FALSE(is_layer(1e3, 1 * uN)) << "another compliance";
   e.by_finite_elements = true;
   ASSERT_EQ(layer.parameters(e).size(), 3u);
   EXPECT_TRUE(std::isnan(layer.parameters(e).back().absent));
