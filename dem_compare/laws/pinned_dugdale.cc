@@ -66,7 +66,7 @@ PinnedDugdale::Contact PinnedDugdale::under(double force, const Contact& before)
   if (force <= (was_free ? 0 : -pull_off())) return nowhere;
   if (was_free) return grown(closing_.contact_under(force / ratio_));
   if (force == before.force) return before;
-  if (force > before.force && force > -closing_.pull_off() * ratio_) {
+  if (force > before.force && force > -pull_off_unpressed()) {
     const Contact contact = grown(closing_.contact_under(force / ratio_));
     if (contact.radius >= before.held_edge) return contact;
   }

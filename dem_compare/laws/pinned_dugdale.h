@@ -41,6 +41,8 @@ class PinnedDugdale {
 
   /// Largest tension of w_o under a dead load, over pi w_o R [-].
   double pull_off() const { return opening_.pull_off(); }
+  /// The same of w_c, of a contact that was not pressed before [-].
+  double pull_off_unpressed() const { return ratio_ * closing_.pull_off(); }
   /// Approach at which a contact that was pressed breaks [-]; not positive.
   double release() const { return opening_.release(); }
   /// Approach at which its surfaces part [-]; not positive.
