@@ -28,10 +28,7 @@ class RoughnessCompliance : public Effect {
         EffectKind::contact,
         {Motion::normal},
         {},
-        {"layer"},
-        2,
-        true,
-        0.1};
+        {"layer"}};
     return d;
   }
   std::vector<EffectParameter> parameters(const Experiment& e) const override {
