@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/finite_element_model.h"
+#include "app/number_check.h"
 #include "app/solver_commands.h"
 #include "core/atomic_file.h"
 #include "core/output_folder.h"
@@ -96,7 +97,7 @@ void add_challenge_command(CLI::App& app) {
   command
       ->add_option("--minutes", arguments->minutes,
                    "With --case: wall time for each recording's solutions of the case with what was left out")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   command->add_option("--only", arguments->only,
                       "Only recordings whose name holds this text: an effect, a family, a mode");
@@ -105,7 +106,7 @@ void add_challenge_command(CLI::App& app) {
                    "Added to the seeds of all recordings: another matrix of the same kind")
       ->capture_default_str();
   command->add_option("--jobs", arguments->jobs, "Recordings side by side (default: one for each core)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->callback([arguments] { run_challenge(*arguments); });
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/number_check.h"
 #include "core/atomic_file.h"
 #include "core/data_folder.h"
 #include "core/error.h"
@@ -82,7 +83,7 @@ void add_compare_command(CLI::App& app) {
       ->check(CLI::ExistingDirectory);
   command->add_option("--tolerance", arguments->tolerance, "Departure that counts as one")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command
       ->add_option("--parameters", arguments->parameters,
                    "Contact's numbers for an engine: adds rolling, torsion and rails (as "
@@ -99,7 +100,7 @@ void add_compare_command(CLI::App& app) {
       ->add_option("--time-limit", arguments->time_limit,
                    "Seconds after which one run of the engine is stopped")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->add_option("--published", arguments->published, "Folder of the published numbers")
       ->capture_default_str();
   command->add_option("--output", arguments->output,

@@ -12,6 +12,7 @@
 #include "app/diagnosed_case.h"
 #include "app/equations_option.h"
 #include "app/finite_element_model.h"
+#include "app/number_check.h"
 #include "app/solver_commands.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -150,7 +151,7 @@ void add_diagnose_command(CLI::App& app) {
           "--minutes", arguments->minutes,
           "Wall time for solutions of the case with what was left out; what is not solved by then is "
           "judged by what was")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print diagnosis.json instead of a summary");
   command->add_flag("--catalogue", arguments->catalogue, "Print the manual page of all effects instead");

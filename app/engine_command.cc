@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/number_check.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/joined.h"
@@ -158,13 +159,13 @@ void add_run_command(CLI::App& app) {
       ->capture_default_str();
   engine->add_option("--haste", run_arguments->haste, "Factor on the speed that asperity chooses")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   engine->add_option(
       "--program", run_arguments->program,
       "The engine's executable (default: " + list_runnable_engines(&Engine::executable, ", ") + ")");
   engine->add_option("--time-limit", run_arguments->time_limit, "Seconds after which the engine is stopped")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   engine->add_flag("--json", run_arguments->json, "Print JSON instead of a table");
   engine->footer(
       "Example: asperity engine runs/paper/parameters_silicon.json --indenter "

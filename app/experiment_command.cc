@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/equations_option.h"
+#include "app/number_check.h"
 #include "core/atomic_file.h"
 #include "core/csv.h"
 #include "core/error.h"
@@ -161,7 +162,7 @@ void add_law_commands(CLI::App& app) {
                    "How far, in the unit of the first column: m of approach or shift, rad, m/s, or a ratio "
                    "of velocities")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   curve->add_option("--points", arguments->points, "Of the curve behind the first")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
@@ -211,7 +212,7 @@ void add_experiment_commands(CLI::App& app) {
                       "With inertia, at this speed of the indenter (default: quasi-static)");
   command->add_option("--damping", arguments->damping, "Viscous coefficient c of (m k)^(1/2), with --speed")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_not_below_zero());
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(
       "Example: asperity experiment runs/paper/parameters_silicon.json --indenter "

@@ -12,6 +12,7 @@
 
 #include "app/case_file.h"
 #include "app/case_previews.h"
+#include "app/number_check.h"
 #include "app/solver_commands.h"
 #include "app/study_plan.h"
 #include "app/study_preview.h"
@@ -201,7 +202,7 @@ void add_study_command(CLI::App& app) {
   command
       ->add_option("--parallel", arguments->parallel,
                    "Cases at the same time (default: the study's, else one per core)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command->add_option("--solver", arguments->solver, "Program called in place of this one")->group("");
   command->footer(std::string("A study file is a case file with one more subsection:\n\n") + study_example);
   command->callback([arguments] { run_study(*arguments); });

@@ -55,6 +55,16 @@ TEST(Program_behaviour, quiet_prints_errors_alone_and_what_json_asks_for) {
   EXPECT_CONTAINS(printed.output, "wall/gran granular") << "without --output the input is what was asked for";
 }
 
+/// It named the largest double, in 309 digits.
+TEST(Program_behaviour, refuses_what_is_no_positive_number_in_one_sentence) {
+  for (const char* reach : {"'20 nm'", "0", "-1", "nan", "x"}) {
+    const Outcome refused = call(std::string("law-curve --law hertz --reach ") + reach);
+    EXPECT_EQ(refused.status, 2) << reach;
+    EXPECT_CONTAINS(refused.output, "is no number above 0; give one without a unit");
+    EXPECT_LT(refused.output.size(), 200u) << refused.output;
+  }
+}
+
 TEST(Program_behaviour, refuses_a_wrong_call_with_status_2) {
   EXPECT_EQ(call("").status, 2);
   EXPECT_EQ(call("study").status, 2);
