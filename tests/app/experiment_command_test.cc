@@ -24,17 +24,14 @@ const std::string silicon_contact = std::string(ASPERITY_SOURCE_DIR) + "/runs/pa
 
 /// The law as it is written with what no record of a contact holds.
 std::string written(const LawDescription& law) {
-  static const std::map<std::string, std::string> values{{"work_of_adhesion", "50 mJ/m^2"},
-                                                         {"cohesive_stress", "500 MPa"},
-                                                         {"spring_stiffness", "20 kN/m"},
-                                                         {"loss_factor", "0.01"},
-                                                         {"hardness", "9 GPa"},
-                                                         {"shear_modulus", "30 GPa"},
-                                                         {"creep_coefficient", "4.5"},
-                                                         {"torsion_modulus", "21 GPa"},
-                                                         {"yield_pressure", "9 GPa"},
-                                                         {"loading_stiffness", "20 kN/m"},
-                                                         {"unloading_stiffness", "40 kN/m"}};
+  static const std::map<std::string, std::string> values{
+      {"work_of_adhesion", "50 mJ/m^2"}, {"work_of_separation", "50 mJ/m^2"},
+      {"closing_ratio", "0.5"},          {"range", "1 nm"},
+      {"cohesive_stress", "500 MPa"},    {"spring_stiffness", "20 kN/m"},
+      {"loss_factor", "0.01"},           {"hardness", "9 GPa"},
+      {"shear_modulus", "30 GPa"},       {"creep_coefficient", "4.5"},
+      {"torsion_modulus", "21 GPa"},     {"yield_pressure", "9 GPa"},
+      {"loading_stiffness", "20 kN/m"},  {"unloading_stiffness", "40 kN/m"}};
   std::string text = law.name;
   for (const auto& parameter : law.parameters) {
     const auto value = values.find(parameter.name);
