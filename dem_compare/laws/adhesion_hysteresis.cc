@@ -32,35 +32,27 @@ const PinnedDugdale& pinned_dugdale(double lambda, double ratio) {
 
 }  // namespace
 
-double AdhesionHysteresisLaw::unit_radius() const {
-  return std::cbrt(M_PI * work_of_separation * radius * radius / (4.0 / 3 * reduced_modulus));
-}
-double AdhesionHysteresisLaw::unit_force() const { return M_PI * work_of_separation * radius; }
-double AdhesionHysteresisLaw::unit_approach() const { return unit_radius() * unit_radius() / radius; }
-
 double AdhesionHysteresisLaw::lambda() const {
   constexpr double jkr = 100;  // force and pull-off within 1e-4 of the limit
-  const double k = 4.0 / 3 * reduced_modulus;
-  return std::min(jkr,
-                  2 * work_of_separation / range * std::cbrt(radius / (M_PI * work_of_separation * k * k)));
+  return std::min(jkr, units().lambda(work_of_separation / range));
 }
 
 double AdhesionHysteresisLaw::pull_off_force() const {
-  return pinned_dugdale(lambda(), closing_ratio).pull_off() * unit_force();
+  return pinned_dugdale(lambda(), closing_ratio).pull_off() * units().force();
 }
 
 NormalState AdhesionHysteresisLaw::advance(const NormalState& before, double approach) const {
   const PinnedDugdale& law = pinned_dugdale(lambda(), closing_ratio);
-  const double length = unit_radius(), depth = unit_approach(), at = approach / depth;
+  const double length = units().length(), depth = units().approach(), at = approach / depth;
   PinnedDugdale::Contact last{};
   if (before.touching)
-    last = {before.approach / depth, before.force / unit_force(), before.contact_radius / length,
+    last = {before.approach / depth, before.force / units().force(), before.contact_radius / length,
             before.joined_radius / length, before.attraction_radius / length};
   const PinnedDugdale::Contact now = law.at(at, last);
   NormalState state{approach, 0, 0, 0, false};
   if (!(now.held_edge > 0)) return state;
   state.touching = true;
-  state.force = now.force * unit_force();
+  state.force = now.force * units().force();
   state.contact_radius = now.radius * length;
   state.joined_radius = now.held_edge * length;
   state.attraction_radius = now.attraction_edge * length;
@@ -70,7 +62,7 @@ NormalState AdhesionHysteresisLaw::advance(const NormalState& before, double app
   const double by = opens && !breaks ? -step : step,
                slope = (4 * law.at(at + by, last).force - law.at(at + 2 * by, last).force - 3 * now.force) /
                        (2 * by);
-  state.stiffness = slope * unit_force() / depth;
+  state.stiffness = slope * units().force() / depth;
   return state;
 }
 
@@ -79,12 +71,12 @@ double AdhesionHysteresisLaw::approach(double force) const {
   // Just formed: on the branch of w_c under any force that it carries.
   constexpr double no_edge = 1e-12;
   const PinnedDugdale::Contact formed{-1e3, -law.pull_off(), no_edge, no_edge, no_edge};
-  const PinnedDugdale::Contact found = law.under(force / unit_force(), formed);
+  const PinnedDugdale::Contact found = law.under(force / units().force(), formed);
   if (!std::isfinite(found.approach))
     throw InputError("an adhesive contact that was not pressed before cannot carry " +
                      format_quantity(force, Dimension::force) + "; its pull-off force is " +
-                     format_quantity(law.pull_off_unpressed() * unit_force(), Dimension::force));
-  return found.approach * unit_approach();
+                     format_quantity(law.pull_off_unpressed() * units().force(), Dimension::force));
+  return found.approach * units().approach();
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dem_compare/laws/law_registry.h"
+#include "dem_compare/laws/maugis_units.h"
 #include "dem_compare/laws/normal_state.h"
 
 namespace asperity {
@@ -26,9 +27,7 @@ struct AdhesionHysteresisLaw {
   double approach(double force) const;
 
  private:
-  double unit_radius() const;
-  double unit_force() const;
-  double unit_approach() const;
+  MaugisUnits units() const { return {reduced_modulus, radius, work_of_separation}; }
 };
 
 inline const LawEntry<AdhesionHysteresisLaw, NormalMode> adhesion_hysteresis_entry{

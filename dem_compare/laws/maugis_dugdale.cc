@@ -63,28 +63,19 @@ double descend(double a, double lambda, double target, const Value& value, const
 
 }  // namespace
 
-double MaugisDugdale::unit_radius() const {
-  return std::cbrt(M_PI * work_of_adhesion * radius * radius / (4.0 / 3 * reduced_modulus));
-}
-double MaugisDugdale::unit_force() const { return M_PI * work_of_adhesion * radius; }
-double MaugisDugdale::unit_approach() const { return unit_radius() * unit_radius() / radius; }
-
-double MaugisDugdale::lambda() const {
-  const double k = 4.0 / 3 * reduced_modulus;
-  return 2 * cohesive_stress * std::cbrt(radius / (M_PI * work_of_adhesion * k * k));
-}
+double MaugisDugdale::lambda() const { return units().lambda(cohesive_stress); }
 
 double MaugisDugdale::pull_off_force() const {
   const double l = lambda(), widest = 3;  // every pull-off radius lies below (3/2)^(1/3)
   const auto minimum =
       boost::math::tools::brent_find_minima([&](double a) { return dugdale(a, l).force; }, smallest, widest,
                                             std::numeric_limits<double>::digits / 2);
-  return -minimum.second * unit_force();
+  return -minimum.second * units().force();
 }
 
 NormalState MaugisDugdale::advance(const NormalState& before, double approach) const {
   if (approach < 0 && !before.touching) return {approach, 0, 0, 0, false};
-  const double target = approach / unit_approach(), l = lambda();
+  const double target = approach / units().approach(), l = lambda();
   const double above =
       std::sqrt(std::max(0.0, target)) + std::cbrt(8.0 / 3);  // over JKR's radius, over every other
   const double a = descend(
@@ -92,12 +83,12 @@ NormalState MaugisDugdale::advance(const NormalState& before, double approach) c
       [](const Dugdale& c) { return c.approach_slope; });
   if (a == 0) return {approach, 0, 0, 0, false};
   const Dugdale contact = dugdale(a, l);
-  return {approach, contact.force * unit_force(), a * unit_radius(),
-          contact.force_slope / contact.approach_slope * unit_force() / unit_approach(), true};
+  return {approach, contact.force * units().force(), a * units().length(),
+          contact.force_slope / contact.approach_slope * units().force() / units().approach(), true};
 }
 
 double MaugisDugdale::approach(double force) const {
-  const double target = force / unit_force(), l = lambda();
+  const double target = force / units().force(), l = lambda();
   const double above =
       std::cbrt(std::max(0.0, target)) + 3;  // over JKR's radius, cbrt(P + 3 + (6 P + 9)^(1/2))
   const double a = descend(
@@ -109,7 +100,7 @@ double MaugisDugdale::approach(double force) const {
             << pull_off_force() * 1e6 << " uN";
     throw InputError(message.str());
   }
-  return dugdale(a, l).approach * unit_approach();
+  return dugdale(a, l).approach * units().approach();
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "dem_compare/laws/law_registry.h"
+#include "dem_compare/laws/maugis_units.h"
 #include "dem_compare/laws/normal_state.h"
 
 namespace asperity {
@@ -29,9 +30,7 @@ struct MaugisDugdale {
   double approach(double force) const;
 
  private:
-  double unit_radius() const;
-  double unit_force() const;
-  double unit_approach() const;
+  MaugisUnits units() const { return {reduced_modulus, radius, work_of_adhesion}; }
 };
 
 inline const LawEntry<MaugisDugdale, NormalMode> maugis_dugdale_entry{

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/csv.h"
+#include "diagnosis/conceal/concealed_recording.h"
 #include "diagnosis/diagnose.h"
 #include "tests/diagnosis/support/made_recording.h"
 
@@ -56,6 +57,27 @@ Recording rough_sphere(const std::filesystem::path& file, double largest, double
   }
   r.tables = {recorded};
   return r;
+}
+
+/// Of the challenge's number 241 of seed 141700, by half-spaces: counted from the least force that was
+/// solved, a five-hundredth of one and a half times the largest. From first touch it was called another
+/// radius.
+TEST(RoughSphere_other_code, asperities_seen_from_a_force_of_their_own_are_named_with_that) {
+  const ConcealedRecording concealed =
+      conceal({Motion::normal, {"roughness_compliance"}, 0.01, 141941, "other_code"});
+  const Diagnosis d = diagnose(concealed.recording);
+  EXPECT_EQ(d.verdict, Verdict::explained) << diagnosis_json(d);
+  ASSERT_EQ(d.left_out.size(), 1u) << diagnosis_json(d);
+  EXPECT_EQ(d.left_out[0].id, "roughness_compliance");
+  const auto& parameters = d.left_out[0].parameters;
+  ASSERT_EQ(parameters.size(), 3u) << diagnosis_json(d);
+  EXPECT_EQ(parameters[2].name, "zero_force");
+  double largest = 0;
+  for (const RecordingTable& table : concealed.recording.tables)
+    for (const double force : table.column("normal_force")) largest = std::max(largest, force);
+  const double zero = 1.5 / 500 * largest;
+  EXPECT_LT(parameters[2].low, zero);
+  EXPECT_GT(parameters[2].high, zero);
 }
 
 TEST(RoughSphereNightly_other_code, is_a_layer_of_asperities_and_nothing_is_named_beside_it) {
