@@ -33,15 +33,6 @@ double root_of_squares(std::initializer_list<double> errors) {
   return std::sqrt(sum);
 }
 
-/// Work that the energy balance of the distance rolled leaves open, per angle [N m].
-double unbalanced_per_angle(const std::vector<HistoryRow>& records) {
-  double angle = 0, largest_work = 0;
-  for (std::size_t k = 1; k < records.size(); ++k)
-    angle += std::abs(records[k].rolling_angle - records[k - 1].rolling_angle);
-  for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
-  return angle > 0 ? largest_size(records, &HistoryRow::energy_error) * largest_work / angle : 0.0;
-}
-
 /// Approach that the first unloading leaves; NaN without one.
 ResidualImprint imprint_of(const std::vector<HistoryRow>& records, double largest_force) {
   const double noise = 1e-5 * largest_force;  // forces are met to about 1e-6 of the load
@@ -163,8 +154,8 @@ void add_moving(Effective& effective, const CaseInput& input, const HistoryRow& 
   if (const auto rolling = steady_rolling(records, input.radius))
     add("rolling_moment", *rolling, "N m", of_rolling, noise);
   if (const auto dissipation = rolling_dissipation(records, input.radius)) {
-    effective.add_absolute("rolling_dissipation", *dissipation, "N m",
-                           root_of_squares({of_rolling * *dissipation, unbalanced_per_angle(records)}));
+    effective.add_absolute("rolling_dissipation", dissipation->per_angle, "N m",
+                           root_of_squares({of_rolling * dissipation->per_angle, dissipation->unbalanced}));
     effective.add("rolling_noise_floor", noise, "N m", {0.5});
   }
   if (const auto torsion = steady_torsion(records))

@@ -1,5 +1,6 @@
 #include "fem/output/steady_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/steady_motion.h"
@@ -78,10 +79,17 @@ std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& re
   return SteadyResistance{steady.mean_force(), fluctuation(steady), steady.path_length()};
 }
 
-std::optional<double> rolling_dissipation(const std::vector<HistoryRow>& records, double radius) {
+std::optional<RollingDissipation> rolling_dissipation(const std::vector<HistoryRow>& records, double radius) {
   const Steady steady = steady_part(records, &HistoryRow::rolling_angle, &HistoryRow::rolling_moment, radius);
   if (!steady.where.reached()) return std::nullopt;
-  return dissipated_per_path_length(records, steady);
+  double largest_work = 0;  // energy_error is over it
+  for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
+  const auto begin = records.begin();
+  const auto [least, most] = std::minmax_element(
+      begin + std::ptrdiff_t(steady.where.first), begin + std::ptrdiff_t(steady.where.last) + 1,
+      [](const auto& a, const auto& b) { return a.energy_error < b.energy_error; });
+  return RollingDissipation{dissipated_per_path_length(records, steady),
+                            (most->energy_error - least->energy_error) * largest_work / steady.path_length()};
 }
 
 }  // namespace asperity::fem

@@ -25,8 +25,14 @@ constexpr double rolling_noise = 5e-4;
 /// Mean moment against the motion; on rough surfaces mostly the conservative topographic part.
 /// radius: of the particle [m].
 std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& records, double radius);
-/// Energy dissipated per angle over the same path: the rolling resistance.
-/// radius [m]; the result in [N m].
-std::optional<double> rolling_dissipation(const std::vector<HistoryRow>& records, double radius);
+
+/// Energy that steady rolling dissipates: its resistance.
+struct RollingDissipation {
+  double per_angle;   ///< [N m]
+  double unbalanced;  ///< spread of the work that the energy balance leaves open there, per angle [N m]
+};
+/// Over the same path as steady_rolling(). What the balance left open while the load came on is no part of
+/// it: it is the same before and after. radius [m].
+std::optional<RollingDissipation> rolling_dissipation(const std::vector<HistoryRow>& records, double radius);
 
 }  // namespace asperity::fem

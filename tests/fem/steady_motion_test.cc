@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace asperity;
@@ -29,12 +31,27 @@ std::vector<HistoryRow> rolled(int out, int back) {
 
 TEST(SteadyRolling_analytic, counts_after_a_contact_radius_of_the_first_way) {
   for (const int back : {0, 5, 40}) {
-    EXPECT_NEAR(*rolling_dissipation(rolled(50, back), radius), resistance, 1e-9 * resistance) << back;
+    EXPECT_NEAR(rolling_dissipation(rolled(50, back), radius)->per_angle, resistance, 1e-9 * resistance)
+        << back;
     const auto steady = steady_rolling(rolled(50, back), radius);
     ASSERT_TRUE(steady);
     EXPECT_NEAR(steady->mean, resistance, 1e-9 * resistance);
     EXPECT_NEAR(steady->path_length, 40 * 0.1 * contact_radius / radius, 1e-9);
   }
+}
+
+/// What the balance left open under the load that came on is there before and after the path.
+TEST(SteadyRolling_analytic, leaves_open_what_the_energy_balance_drifts_by_on_the_path) {
+  constexpr double work = 2e-14, loading = 0.01, drift = 0.002;
+  std::vector<HistoryRow> records = rolled(50, 5);
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    records[k].work = work;
+    records[k].energy_error = -loading + drift * double(std::min<std::size_t>(k, 50)) / 50;
+  }
+  // From the tenth of fifty steps on, of a tenth of the contact radius each.
+  const double drifts = drift * work / (50 * 0.1 * contact_radius / radius);
+  EXPECT_NEAR(rolling_dissipation(records, radius)->unbalanced, drifts, 1e-9 * drifts);
+  EXPECT_DOUBLE_EQ(rolling_dissipation(rolled(50, 0), radius)->unbalanced, 0);
 }
 
 TEST(SteadyRolling_analytic, of_a_way_shorter_than_that_is_not_known) {
