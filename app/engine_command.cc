@@ -94,6 +94,7 @@ void write_matrix(const InputArguments& arguments, const std::vector<ContactPara
   if (!arguments.load.empty()) options.load = parse_quantity(arguments.load, Dimension::force);
   if (!arguments.radii.empty()) options.radii = parse_radii(arguments.radii);
   options.restitution = arguments.restitution;
+  options.normal_law = arguments.normal_law;
   const WrittenEngine& engine = written_engine_of(arguments.engine);
   const MaterialMatrix matrix = material_matrix(records, options);
   if (arguments.box) {
@@ -101,7 +102,7 @@ void write_matrix(const InputArguments& arguments, const std::vector<ContactPara
       throw InputError("--box writes several files: name their folder with --output");
     std::cout << write_box(engine, matrix, *arguments.box, arguments.output) << "\n";
   } else {
-    put(engine.matrix_input(matrix), arguments.output);
+    put(matrix_input_of(engine, matrix), arguments.output);
   }
   for (std::size_t i = 0; i < matrix.materials.size(); ++i)
     for (std::size_t j = i; j < matrix.materials.size(); ++j)
@@ -114,10 +115,6 @@ void write_input(const InputArguments& arguments) {
   std::vector<ContactParameters> records;
   for (const auto& file : arguments.parameters) records.push_back(read_contact_parameters(file));
   if (records.size() > 1 || arguments.many_particles || arguments.box) {
-    if (arguments.normal_law != "hertz")
-      throw InputError("--normal-law " + printable(arguments.normal_law) +
-                       " is written for one contact at a time: give one record, without --many-particles and "
-                       "--box");
     write_matrix(arguments, records);
   } else {
     if (arguments.restitution || !arguments.radii.empty())

@@ -40,6 +40,8 @@ class WrittenEngine {
   virtual std::string elastoplastic_input(InputNotes& notes) const;
   /// The contacts of all pairs of materials; throws InputError where that is not written for this engine.
   virtual std::string matrix_input(const MaterialMatrix& matrix) const;
+  /// The same where the matrix's normal law yields.
+  virtual std::string elastoplastic_matrix_input(const MaterialMatrix& matrix) const;
   /// What the file of these is called beside a box.
   virtual std::string matrix_file() const { return "contacts." + key(); }
   /// Whether it has box_files().
@@ -49,6 +51,9 @@ class WrittenEngine {
   virtual std::vector<std::pair<std::string, std::string>> box_files(const MaterialMatrix& matrix,
                                                                      const ParticleBox& box) const;
 };
+
+/// With the matrix's own normal law; throws InputError where that is not written for this engine.
+std::string matrix_input_of(const WrittenEngine& engine, const MaterialMatrix& matrix);
 
 /// By its key; throws InputError for an engine that is not known, naming what was meant.
 const WrittenEngine& written_engine_of(const std::string& key);

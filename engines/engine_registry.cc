@@ -4,6 +4,7 @@
 #include "core/joined.h"
 #include "engines/engine.h"
 #include "engines/input_notes.h"
+#include "engines/many_particles/material_matrix.h"
 
 namespace asperity {
 namespace engines {
@@ -20,6 +21,10 @@ class FunctionEngine : public WrittenEngine {
   std::string contact_input(InputNotes& notes) const override { return writers_.contact(notes); }
   std::string matrix_input(const MaterialMatrix& matrix) const override {
     return writers_.matrix ? writers_.matrix(matrix) : WrittenEngine::matrix_input(matrix);
+  }
+  std::string elastoplastic_matrix_input(const MaterialMatrix& matrix) const override {
+    return writers_.elastoplastic_matrix ? writers_.elastoplastic_matrix(matrix)
+                                         : WrittenEngine::elastoplastic_matrix_input(matrix);
   }
   std::string elastoplastic_law() const override { return writers_.elastoplastic_law; }
   std::string elastoplastic_input(InputNotes& notes) const override {
@@ -42,6 +47,15 @@ std::string key_of(const std::unique_ptr<WrittenEngine>& engine) { return engine
 
 std::string WrittenEngine::elastoplastic_input(InputNotes&) const {
   throw InputError("asperity writes no elasto-plastic normal law for " + name() + "; leave --normal-law out");
+}
+
+std::string WrittenEngine::elastoplastic_matrix_input(const MaterialMatrix& matrix) const {
+  throw InputError("asperity writes no normal law '" + matrix.normal_law + "' of many particles for " +
+                   name() + "; it does for liggghts, mercurydpm and yade. Leave --normal-law out");
+}
+
+std::string matrix_input_of(const WrittenEngine& engine, const MaterialMatrix& matrix) {
+  return matrix.yields() ? engine.elastoplastic_matrix_input(matrix) : engine.matrix_input(matrix);
 }
 
 std::string WrittenEngine::matrix_input(const MaterialMatrix&) const {

@@ -22,6 +22,7 @@ struct EngineWriters {
                                                           const std::string& contacts) = nullptr;
   const char* elastoplastic_law = "";
   std::string (*elastoplastic)(InputNotes&) = nullptr;  ///< a contact with that law
+  std::string (*elastoplastic_matrix)(const MaterialMatrix&) = nullptr;
 };
 std::unique_ptr<WrittenEngine> written_engine(const std::string& key, const std::string& name,
                                               const EngineWriters& writers);

@@ -22,6 +22,7 @@ class Yade : public Engine {
   std::string elastoplastic_law() const override { return "luding"; }
   std::string elastoplastic_input(InputNotes& notes) const override;
   std::string matrix_input(const MaterialMatrix& matrix) const override;
+  std::string elastoplastic_matrix_input(const MaterialMatrix& matrix) const override;
   std::string matrix_file() const override { return "contacts.py"; }
   bool writes_boxes() const override { return true; }
   std::vector<std::pair<std::string, std::string>> box_files(const MaterialMatrix& matrix,

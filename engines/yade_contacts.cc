@@ -4,7 +4,7 @@
 
 namespace asperity {
 
-const char* const yade_functions = R"(
+const char* const yade_contact_functions = R"(
 if 'asperity_contacts' not in globals(): asperity_contacts = {}  # by the labels of both materials
 asperity_known = {}  # contacts of the step before
 
@@ -17,6 +17,14 @@ def asperity_add(i, force, moment):
         O.forces.addF(body, sign*force)
         O.forces.addT(body, sign*(lever.cross(force) + moment))
 
+def asperity_radius(i):
+    # of a wall or facet that of the sphere, which the functor takes for two spheres
+    radii = [O.bodies[b].shape.radius for b in (i.id1, i.id2) if isinstance(O.bodies[b].shape, Sphere)]
+    return radii[0]*radii[1]/(radii[0] + radii[1]) if len(radii) == 2 else radii[0]
+)";
+
+namespace {
+const char* const mindlin_functions = R"(
 def asperity_begin(i, numbers):
     # the law has acted once with the functor's numbers: that is taken back, and the record's act in
     # the same step
@@ -51,11 +59,6 @@ def asperity_limit(i, twist_limit):
         phys.momentBend, phys.momentTwist = bend, twist
         asperity_add(i, Vector3.Zero, change)
 
-def asperity_radius(i):
-    # of a wall or facet that of the sphere, which the functor takes for two spheres
-    radii = [O.bodies[b].shape.radius for b in (i.id1, i.id2) if isinstance(O.bodies[b].shape, Sphere)]
-    return radii[0]*radii[1]/(radii[0] + radii[1]) if len(radii) == 2 else radii[0]
-
 def asperity_find(i):
     # numbers and torsion limit of a contact of this record's materials; None: other materials keep their own
     contact = asperity_contacts.get(frozenset(O.bodies[b].material.label for b in (i.id1, i.id2)))
@@ -86,6 +89,9 @@ def asperity_step():
             asperity_limit(i, twist_limit)
     asperity_known = now
 )";
+}  // namespace
+
+std::string yade_functions() { return std::string(yade_contact_functions) + mindlin_functions; }
 
 std::string yade_contact_entry(const std::string& label, const std::string& other_label, double radius,
                                const YadeContact& contact) {

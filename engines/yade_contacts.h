@@ -25,7 +25,11 @@ struct YadeContact {
 /// Defines asperity_contacts, a dictionary, and asperity_step(), for PyRunner behind InteractionLoop and
 /// before NewtonIntegrator, at every step and with initRun=True (else the first step is left out). Twice in
 /// one program is as good as once.
-extern const char* const yade_functions;
+std::string yade_functions();
+
+/// The part of it that serves other laws: asperity_contacts, asperity_known, the R_e of a contact, and force
+/// and moment on top of what a law has done in this step.
+extern const char* const yade_contact_functions;
 
 /// Enters the contact of two materials, given by expressions of their labels (names of variables, or
 /// literals); `radius` is the effective radius that kno and kso belong to [m].

@@ -84,8 +84,9 @@ std::string liggghts_input(InputNotes& notes) {
 
 namespace engines {
 std::unique_ptr<WrittenEngine> make_liggghts() {
-  return written_engine("liggghts", "LIGGGHTS",
-                        {liggghts_input, liggghts_matrix, liggghts_box, "luding", liggghts_luding});
+  return written_engine(
+      "liggghts", "LIGGGHTS",
+      {liggghts_input, liggghts_matrix, liggghts_box, "luding", liggghts_luding, liggghts_luding_matrix});
 }
 }  // namespace engines
 

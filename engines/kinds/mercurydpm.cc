@@ -65,8 +65,9 @@ auto target = problem.speciesHandler.copyAndAddObject(HertzianViscoelasticMindli
 
 namespace engines {
 std::unique_ptr<WrittenEngine> make_mercurydpm() {
-  return written_engine("mercurydpm", "MercuryDPM",
-                        {mercurydpm_input, mercurydpm_matrix, nullptr, "luding", mercurydpm_luding});
+  return written_engine(
+      "mercurydpm", "MercuryDPM",
+      {mercurydpm_input, mercurydpm_matrix, nullptr, "luding", mercurydpm_luding, mercurydpm_luding_matrix});
 }
 }  // namespace engines
 

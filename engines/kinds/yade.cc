@@ -47,7 +47,7 @@ void write_bodies(std::ostream& out, const EngineExperiment& e, const std::vecto
       << ", label=label))  # moduli and friction: replaced on each contact\n"
       << "particle = O.bodies.append(utils.sphere((0, 0, 0), R, material=material('particle')))\nplanes = "
          "{}\n"
-      << yade_functions;
+      << yade_functions();
   for (const Plane& plane : planes) {
     out << "planes['" << plane.name << "'] = dict(y=" << number(plane.y) << ", z=" << number(plane.z)
         << ", approach=" << number(plane.parameters->hertz().approach(plane.load)) << ")\n"
@@ -233,12 +233,17 @@ std::string Yade::contact_input(InputNotes& notes) const {
 #            PyRunner(command='asperity_step()', iterPeriod=1, initRun=True),
 PARTICLE = )" +
          python_literal(notes.particle_name()) + "\nTARGET = " + python_literal(notes.target_name()) + "\n" +
-         yade_functions + "\n" + yade_contact_entry("PARTICLE", "TARGET", notes.effective_radius(), contact);
+         yade_functions() + "\n" +
+         yade_contact_entry("PARTICLE", "TARGET", notes.effective_radius(), contact);
 }
 
 std::string Yade::elastoplastic_input(InputNotes& notes) const { return yade_luding(notes); }
 
 std::string Yade::matrix_input(const MaterialMatrix& matrix) const { return yade_matrix(matrix); }
+
+std::string Yade::elastoplastic_matrix_input(const MaterialMatrix& matrix) const {
+  return yade_luding_matrix(matrix);
+}
 
 std::vector<std::pair<std::string, std::string>> Yade::box_files(const MaterialMatrix& matrix,
                                                                  const ParticleBox& box) const {

@@ -7,12 +7,14 @@
 #include "core/error.h"
 #include "core/printable.h"
 #include "core/shear_moduli.h"
+#include "engines/elastoplastic/luding_numbers.h"
 #include "engines/input_notes.h"
 
 namespace asperity {
 namespace {
 
 constexpr double default_restitution = 0.5;
+constexpr double restitution_beside_yielding = 0.99;  // yielding dissipates by itself
 
 /// What two records say of one number: the same, or an error.
 void agree(double& known, double said, const std::string& what, const std::string& file) {
@@ -44,6 +46,12 @@ std::size_t enter(std::vector<MatrixMaterial>& materials, const ContactBody& bod
   return std::size_t(found - materials.begin());
 }
 
+LudingPair luding_of(InputNotes& notes) {
+  const double R = notes.effective_radius();
+  const LudingNumbers luding = luding_numbers(notes, {"k1", "k_p", "k_c", "phi_f"});
+  return {luding.k1 / R, luding.kp / R, luding.kc / R, luding.phi, luding.lateral / R};
+}
+
 /// The record's law; what it cannot hold is noted.
 MaterialPair pair_of(const ContactParameters& record, const MatrixOptions& options) {
   EngineInputOptions at_load;
@@ -55,6 +63,7 @@ MaterialPair pair_of(const ContactParameters& record, const MatrixOptions& optio
   pair.law.reduced_modulus = record.hertz().reduced_modulus;
   pair.law.shear_modulus = notes.shear_modulus();
   pair.law.sliding = notes.sliding();
+  if (options.normal_law == "luding") pair.law.luding = luding_of(notes);
   if (notes.has_rolling()) {
     pair.law.rolling_stiffness = notes.constant_rolling_stiffness() / (R * R);
     pair.law.rolling = pair.law.rolling_stiffness > 0 ? notes.rolling() / R : 0;
@@ -63,7 +72,7 @@ MaterialPair pair_of(const ContactParameters& record, const MatrixOptions& optio
     pair.law.torsion_stiffness = notes.constant_torsion_stiffness() / (R * R);
     pair.law.torsion = pair.law.torsion_stiffness > 0 ? notes.torsion() / R : 0;
   }
-  notes.leaves_out_pull_off("the laws of a matrix do not attract");
+  if (!pair.law.luding) notes.leaves_out_pull_off("the laws of a matrix do not attract");
   pair.not_expressed = notes.not_expressed();
   return pair;
 }
@@ -72,6 +81,11 @@ using Pairs = std::map<std::pair<std::size_t, std::size_t>, MaterialPair>;
 
 std::pair<std::size_t, std::size_t> key(std::size_t i, std::size_t j) {
   return {std::min(i, j), std::max(i, j)};
+}
+
+LudingPair added(const LudingPair& sum, const LudingPair& law, double weight) {
+  return {sum.k1 + weight * law.k1, sum.kp + weight * law.kp, sum.kc + weight * law.kc,
+          sum.phi + weight * law.phi, sum.lateral + weight * law.lateral};
 }
 
 /// Mean of what records say of a material: of its pair with itself where there is one, else of all its pairs.
@@ -92,13 +106,17 @@ PairLaw mean_of(const Pairs& found, std::size_t material) {
     }
     return sum / double(laws.size());
   };
-  return {0,
-          0,
-          mean(&PairLaw::sliding),
-          mean(&PairLaw::rolling),
-          mean(&PairLaw::rolling_stiffness),
-          mean(&PairLaw::torsion),
-          mean(&PairLaw::torsion_stiffness)};
+  PairLaw law{0,
+              0,
+              mean(&PairLaw::sliding),
+              mean(&PairLaw::rolling),
+              mean(&PairLaw::rolling_stiffness),
+              mean(&PairLaw::torsion),
+              mean(&PairLaw::torsion_stiffness)};
+  for (const PairLaw& one : laws)
+    if (one.luding)
+      law.luding = added(law.luding.value_or(LudingPair{}), *one.luding, 1.0 / double(laws.size()));
+  return law;
 }
 
 MaterialPair mixed(const MaterialMatrix& matrix, const Pairs& found, std::size_t i, std::size_t j) {
@@ -123,11 +141,14 @@ MaterialPair mixed(const MaterialMatrix& matrix, const Pairs& found, std::size_t
               between(&PairLaw::sliding),           between(&PairLaw::rolling),
               between(&PairLaw::rolling_stiffness), between(&PairLaw::torsion),
               between(&PairLaw::torsion_stiffness)};
-  pair.origin =
-      "mixed, no record has this pair: E* and G* from both bodies' E and nu, friction, rolling and torsion "
-      "as the "
-      "mean of both materials', each from its pair with itself or else all its pairs; solve this pair to "
-      "know";
+  if (mean_a.luding && mean_b.luding)
+    pair.law.luding = added(added({}, *mean_a.luding, 0.5), *mean_b.luding, 0.5);
+  pair.origin = std::string("mixed, no record has this pair: ") +
+                (pair.law.luding ? "k1, k_p, k_c, k_l over R_e and phi_f, "
+                                 : "E* and G* from both bodies' E and nu, ") +
+                "friction, rolling and torsion as the mean of both materials', each from its pair with "
+                "itself or else all "
+                "its pairs; solve this pair to know";
   return pair;
 }
 
@@ -153,7 +174,8 @@ void choose_radii_and_load(MaterialMatrix& matrix, const std::vector<ContactPara
     throw InputError(matrix.files.front() +
                      ": no record has a load_range; give the highest load between particles with --load");
   matrix.restitution_is_given = options.restitution.has_value();
-  matrix.restitution = options.restitution.value_or(default_restitution);
+  matrix.restitution =
+      options.restitution.value_or(matrix.yields() ? restitution_beside_yielding : default_restitution);
   if (!(matrix.restitution > 0 && matrix.restitution <= 1))
     throw InputError("the restitution must be above 0 and at most 1");
 }
@@ -183,6 +205,10 @@ std::size_t MaterialMatrix::wall() const {
 
 MaterialMatrix material_matrix(const std::vector<ContactParameters>& records, const MatrixOptions& options) {
   MaterialMatrix matrix;
+  matrix.normal_law = options.normal_law;
+  if (matrix.yields() && matrix.normal_law != "luding")
+    throw InputError("--normal-law " + printable(matrix.normal_law) +
+                     " is written for one contact at a time; of many particles it is hertz or luding");
   Pairs found;
   for (const ContactParameters& record : records) {
     matrix.files.push_back(record.file);

@@ -20,16 +20,28 @@ struct MatrixMaterial {
   bool is_plane = false;      ///< a record has it as a plane target: walls are of it
 };
 
+/// Luding's law (2008) of a pair that yields, without the size of its bodies: at the same approach over R_e
+/// the force goes with R_e^2, so stiffness goes with R_e.
+struct LudingPair {
+  double k1 = 0, kp = 0, kc = 0;  ///< loading, unloading from delta_p on, pull; over R_e [Pa]
+  double phi = 0;                 ///< phi_f of delta_p = k_p/(k_p - k1) phi_f 2 R_e [-]
+  double lateral = 0;             ///< k_l over R_e, constant in the load [Pa]
+
+  /// delta_p [m]
+  double full_approach(double effective_radius) const { return kp / (kp - k1) * phi * 2 * effective_radius; }
+};
+
 /// The law of a pair, without the size of its bodies: limits over the normal force F and stiffness in terms
 /// of the effective radius R_e.
 struct PairLaw {
-  double reduced_modulus = 0;    ///< E* of F = 4/3 E* R_e^(1/2) delta^(3/2) [Pa]
-  double shear_modulus = 0;      ///< G* of k_l = 8 G* a [Pa]
-  double sliding = 0;            ///< mu of |f_l| <= mu F [-]
-  double rolling = 0;            ///< mu of |M| <= mu R_e F [-]; zero: no rolling resistance
-  double rolling_stiffness = 0;  ///< K/R_e^2 [N/m]
-  double torsion = 0;            ///< mu of |M| <= mu R_e F [-]; zero: no torsion resistance
-  double torsion_stiffness = 0;  ///< K/R_e^2 [N/m]
+  double reduced_modulus = 0;          ///< E* of F = 4/3 E* R_e^(1/2) delta^(3/2) [Pa]
+  double shear_modulus = 0;            ///< G* of k_l = 8 G* a [Pa]
+  double sliding = 0;                  ///< mu of |f_l| <= mu F [-]
+  double rolling = 0;                  ///< mu of |M| <= mu R_e F [-]; zero: no rolling resistance
+  double rolling_stiffness = 0;        ///< K/R_e^2 [N/m]
+  double torsion = 0;                  ///< mu of |M| <= mu R_e F [-]; zero: no torsion resistance
+  double torsion_stiffness = 0;        ///< K/R_e^2 [N/m]
+  std::optional<LudingPair> luding{};  ///< in place of E* and G*
 };
 
 /// One pair and where its law is from.
@@ -45,6 +57,7 @@ struct MatrixOptions {
   std::optional<double> load;         ///< [N], at which limits are right; else balanced over the fitted loads
   std::optional<LoadRange> radii;     ///< smallest and largest particle [m]; else those of the records
   std::optional<double> restitution;  ///< of a normal impact, above 0 and at most 1
+  std::string normal_law = "hertz";   ///< or "luding", of pairs that yield
 };
 
 /// All pairs of all materials.
@@ -57,12 +70,19 @@ struct MaterialMatrix {
   double restitution = 0;                          ///< of a normal impact [-]
   bool restitution_is_given = false;
   bool load_is_given = false;
+  std::string normal_law = "hertz";
 
+  bool yields() const { return normal_law != "hertz"; }
   /// Of two materials by their indices, in either order.
   const MaterialPair& pair(std::size_t i, std::size_t j) const;
   /// Of a pair of particles of the largest size, and of one on a plane [m].
   double pair_radius() const { return largest_radius / 2; }
   double wall_radius() const { return largest_radius; }
+  /// R_e where an engine takes one number for all sizes of a pair: on a plane where one material is a plane's
+  /// alone, else of two particles [m].
+  double constant_radius(std::size_t i, std::size_t j) const {
+    return materials[i].is_plane != materials[j].is_plane ? wall_radius() : pair_radius();
+  }
   /// For an engine that computes E* and G* itself; throws InputError for a material without E or nu.
   void require_elasticity(const std::string& engine) const;
   /// Index of the material of walls: the first plane of a record, else the last material.
@@ -78,7 +98,7 @@ void each_pair(const MaterialMatrix& matrix, const Act& act) {
 
 /// From one record or more. Throws InputError for a record without the names of its materials, two that say
 /// different things of one material or one pair, a pair that can be neither found nor mixed, and a record
-/// that lacks what an engine needs.
+/// that lacks what an engine needs, Luding's numbers where they are asked for among it.
 MaterialMatrix material_matrix(const std::vector<ContactParameters>& records, const MatrixOptions& options);
 
 }  // namespace asperity

@@ -27,6 +27,10 @@ std::string header_text(const MaterialMatrix& matrix, const MatrixHeader& header
 /// "type 1 (borosilicate) and type 2 (silicon)".
 std::string pair_name(const MaterialMatrix& matrix, std::size_t i, std::size_t j);
 
+/// Where an engine takes one number for all sizes: which of them Luding's stiffness is right for, and by what
+/// it is off for the smallest.
+std::string one_size_of_stiffness(const MaterialMatrix& matrix);
+
 /// Damping ratio beta of a Hertz contact whose damper goes with the root of its tangent stiffness k, 2 beta
 /// (5/6)^(1/2) (m k)^(1/2), from the restitution e: -ln e/(ln^2 e + pi^2)^(1/2) (Antypov & Elliott 2011, EPL
 /// 94, 50004).

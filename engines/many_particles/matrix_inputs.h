@@ -13,6 +13,10 @@ std::string lammps_matrix(const MaterialMatrix& matrix);
 std::string yade_matrix(const MaterialMatrix& matrix);
 /// Properties by type, rolling by the model epsd3. Throws InputError for a material without E or nu.
 std::string liggghts_matrix(const MaterialMatrix& matrix);
+/// The same three of pairs that yield, with Luding's law.
+std::string liggghts_luding_matrix(const MaterialMatrix& matrix);
+std::string yade_luding_matrix(const MaterialMatrix& matrix);
+std::string mercurydpm_luding_matrix(const MaterialMatrix& matrix);
 /// Species and mixed species.
 std::string mercurydpm_matrix(const MaterialMatrix& matrix);
 /// MaterialsDEM.json with all relations. Throws InputError for a material without E or nu.

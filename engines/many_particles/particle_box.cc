@@ -24,12 +24,21 @@ std::vector<std::size_t> particle_materials(const MaterialMatrix& matrix) {
   return found;  // time_step_of() has refused none at all
 }
 
-/// Of two equal particles: (2/5) F delta = (1/2) (m/2) (2 v)^2.
+/// Work of loading up to a force [J]: Hertz' (2/5) F delta; Luding's straight lines k1 and, from delta_p on,
+/// k_p.
+double work_of_loading(const PairLaw& law, double effective_radius, double load) {
+  if (!law.luding) return Hertz{law.reduced_modulus, effective_radius}.elastic_energy(load);
+  const double k1 = law.luding->k1 * effective_radius, kp = law.luding->kp * effective_radius,
+               knee = k1 * law.luding->full_approach(effective_radius);
+  const double below = std::min(load, knee);
+  return below * below / (2 * k1) + (load * load - below * below) / (2 * kp);
+}
+
+/// Of two equal particles: the work of loading is (1/2) (m/2) (2 v)^2.
 double speed_of_impact(const MaterialMatrix& matrix, std::size_t material, double load) {
   const double R = matrix.smallest_radius;
   const double mass = 4.0 / 3 * M_PI * R * R * R * matrix.materials[material].density;
-  const Hertz hertz{matrix.pair(material, material).law.reduced_modulus, R / 2};
-  return std::sqrt(hertz.elastic_energy(load) / mass);
+  return std::sqrt(work_of_loading(matrix.pair(material, material).law, R / 2, load) / mass);
 }
 
 /// On the unit sphere, from two random numbers of [0, 1).
@@ -76,7 +85,7 @@ ParticleBox particle_box(const MaterialMatrix& matrix, int count) {
 
 std::string write_box(const WrittenEngine& engine, const MaterialMatrix& matrix, int count,
                       const std::filesystem::path& folder) {
-  const std::string contacts = engine.matrix_input(matrix);
+  const std::string contacts = matrix_input_of(engine, matrix);
   const ParticleBox box = particle_box(matrix, count);
   const std::vector<WrittenFile> files = engine.box_files(matrix, box);
   std::filesystem::create_directories(folder);

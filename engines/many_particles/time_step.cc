@@ -23,15 +23,32 @@ double mass(const MatrixMaterial& m, double radius) {
   return 4.0 / 3 * M_PI * radius * radius * radius * m.density;
 }
 
+struct Springs {
+  double normal, lateral;  ///< [N/m]
+};
+
+/// Those of a contact that yields are taken of the largest particles: an engine may take one number for all
+/// sizes.
+Springs springs_of(const PairLaw& law, double effective_radius, double load,
+                   double largest_effective_radius) {
+  if (law.luding) {
+    const LudingPair& luding = *law.luding;
+    return {luding.kp * largest_effective_radius,
+            std::max(luding.lateral, luding.k1) * largest_effective_radius};
+  }
+  const double a = Hertz{law.reduced_modulus, effective_radius}.contact_radius(load);
+  return {2 * law.reduced_modulus * a, 8 * law.shear_modulus * a};
+}
+
 /// Squares of the angular frequencies of a sphere on one contact, `bodies` = 2 where the other one is as free
 /// and as heavy.
 std::vector<std::pair<double, std::string>> frequencies(const PairLaw& law, const MatrixMaterial& m, double R,
-                                                        double effective_radius, double load, int bodies) {
-  const Hertz hertz{law.reduced_modulus, effective_radius};
-  const double a = hertz.contact_radius(load), inertia = 0.4 * mass(m, R) * R * R;
-  const double lateral = 8 * law.shear_modulus * a, scale = effective_radius * effective_radius;
+                                                        const Springs& springs, double effective_radius,
+                                                        int bodies) {
+  const double inertia = 0.4 * mass(m, R) * R * R, scale = effective_radius * effective_radius;
+  const double lateral = springs.lateral;
   return {
-      {bodies * 2 * law.reduced_modulus * a / mass(m, R), "normal spring"},
+      {bodies * springs.normal / mass(m, R), "normal spring"},
       {bodies * (lateral * R * R + law.rolling_stiffness * scale) / inertia, "lateral and rolling spring"},
       {bodies * law.torsion_stiffness * scale / inertia, "torsion spring"}};
 }
@@ -48,14 +65,16 @@ TimeStep time_step_of(const MaterialMatrix& matrix) {
     const double rayleigh = rayleigh_time(m, R);
     step.rayleigh = step.rayleigh > 0 ? std::min(step.rayleigh, rayleigh) : rayleigh;
     for (std::size_t j = 0; j < matrix.materials.size(); ++j)
-      for (const int bodies : {1, 2})
-        for (const auto& [squared, spring] :
-             frequencies(matrix.pair(i, j).law, m, R, bodies == 1 ? R : R / 2, matrix.load, bodies)) {
+      for (const int bodies : {1, 2}) {
+        const PairLaw& law = matrix.pair(i, j).law;
+        const Springs springs = springs_of(law, R / bodies, matrix.load, matrix.largest_radius / bodies);
+        for (const auto& [squared, spring] : frequencies(law, m, R, springs, R / bodies, bodies)) {
           if (squared <= fastest) continue;
           fastest = squared;
           step.spring = spring + " of '" + printable(m.name) + "' on '" +
                         printable(matrix.materials[j].name) + "'" + (bodies == 1 ? ", a plane" : "");
         }
+      }
   }
   if (!(step.rayleigh > 0))
     throw InputError(

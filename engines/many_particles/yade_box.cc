@@ -40,7 +40,7 @@ def energy():
 
 O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
              InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],
-                             [asperity_functor], [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),
+                             [asperity_functor], [asperity_law]),
              PyRunner(command='asperity_step()', iterPeriod=1, initRun=True), NewtonIntegrator(damping=0),
              PyRunner(command='energy()', iterPeriod=)" +
       std::to_string(box.every) + R"(, initRun=True)]

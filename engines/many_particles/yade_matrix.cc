@@ -19,7 +19,7 @@ std::string yade_matrix(const MaterialMatrix& matrix) {
   std::string text = header_text(matrix, header, python_comment) + R"(
 # O.engines: InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom(),
 #                             Ig2_Facet_Sphere_ScGeom()],
-#                            [asperity_functor], [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),
+#                            [asperity_functor], [asperity_law]),
 #            # behind it and before NewtonIntegrator(damping=0), at every step
 #            PyRunner(command='asperity_step()', iterPeriod=1, initRun=True),
 asperity_materials = []  # ids of the types, in their order
@@ -34,8 +34,9 @@ asperity_materials = []  # ids of the types, in their order
             ", frictionAngle=0)))  # moduli and friction: replaced on each contact\n";
   }
   text += "asperity_functor = Ip2_FrictMat_FrictMat_MindlinPhys(betan=" + text_number(betan) +
-          ", betas=" + text_number(betan) + ")\nO.dt = " + text_number(time_step_of(matrix).advised) + "\n" +
-          yade_functions + "\n";
+          ", betas=" + text_number(betan) +
+          ")\nasperity_law = Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)\nO.dt = " +
+          text_number(time_step_of(matrix).advised) + "\n" + yade_functions() + "\n";
   const double R = matrix.pair_radius();
   each_pair(matrix, [&](std::size_t i, std::size_t j) {
     const PairLaw& law = matrix.pair(i, j).law;

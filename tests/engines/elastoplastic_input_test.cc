@@ -9,14 +9,15 @@
 #include "dem_compare/laws/luding.h"
 #include "engines/engine_input.h"
 #include "tests/engines/engine_support.h"
+#include "tests/engines/luding_support.h"
 
 namespace asperity {
 namespace {
 
 using test::canonical_contact;
+using test::expect_the_law;
 using test::Liggghts;
 using test::run_script;
-using test::Verified;
 
 constexpr double radius = 8.5e-6, nm = 1e-9, deepest = 40 * nm;
 const Luding law{20e3, 50e3, 8e3, deepest, radius};
@@ -41,30 +42,6 @@ std::string written(const std::string& engine, const std::string& normal_law,
   return engine_input(engine, parameters, options);
 }
 
-/// Lines "at DELTA FORCE" of an engine that was driven to `deepest` and back.
-void expect_the_law(const std::string& output, const std::string& engine) {
-  std::istringstream lines(output);
-  std::string line;
-  NormalState state;
-  int compared = 0;
-  double reached = 0;
-  test::Largest error;
-  while (std::getline(lines, line)) {
-    double approach = 0, force = 0;
-    if (std::sscanf(line.c_str(), "at %lf %lf", &approach, &force) != 2) continue;
-    state = law.advance(state, approach);
-    error.count((force - state.force) / (law.loading_stiffness * deepest));
-    reached = std::max(reached, approach), ++compared;
-  }
-  EXPECT_GE(compared, 60) << output;
-  EXPECT_NEAR(reached, deepest, 0.02 * deepest);
-  EXPECT_LT(state.approach, 0.2 * deepest) << "it went back, through the pull";
-  EXPECT_TRUE((Verified{
-      "Engines", engine + ", Luding's law as written, load and unload: force over the largest", "Luding 2008"}
-                   .below(100 * error, 1, " %")))
-      << output;
-}
-
 TEST(ElastoplasticInput_other_code, yade_follows_ludings_law) {
   ASPERITY_ENGINE_OR_SKIP(Yade());
   expect_the_law(run_script(Yade(), "from yade import *\nimport os, sys\n" + written("yade", "luding") + R"(
@@ -86,7 +63,7 @@ for speed, count in ((-1e-3, 40), (1e-3, 35)):
         print('at %.9g %.9g' % (R - (state.pos[2] - speed*O.dt), force))
 sys.stdout.flush(); os._exit(0)
 )"),
-                 "YADE");
+                 law, deepest, "YADE, Luding's law as written");
 }
 
 TEST(ElastoplasticInput_other_code, liggghts_follows_ludings_law) {
@@ -108,7 +85,7 @@ TEST(ElastoplasticInput_other_code, liggghts_follows_ludings_law) {
   };
   drive("down", "-1e-3", 40);
   drive("up", "1e-3", 35);
-  expect_the_law(run_script(Liggghts(), script), "LIGGGHTS");
+  expect_the_law(run_script(Liggghts(), script), law, deepest, "LIGGGHTS, Luding's law as written");
 }
 
 TEST(ElastoplasticInput_behaviour, each_engine_says_which_law_it_has_and_what_it_cannot) {

@@ -13,15 +13,19 @@
 #include "engines/many_particles/matrix_header.h"
 #include "engines/many_particles/particle_box.h"
 #include "engines/many_particles/time_step.h"
+#include "tests/engines/box_support.h"
 #include "tests/engines/engine_support.h"
 
 namespace asperity {
 namespace {
 
+using test::BoxRun;
 using test::canonical_contact;
+using test::expect_that_energy_never_rises;
 using test::Liggghts;
 using test::message_of;
 using test::number_after;
+using test::run_box;
 using test::run_script;
 
 constexpr double radius = 8.5e-6, restitution = 0.8;
@@ -310,64 +314,15 @@ sys.stdout.flush(); os._exit(0)
   expect_law(scene(true), m.pair(0, 1).law, radius);
 }
 
-/// Energy of a box [J], row by row, and whether it came to its end.
-struct BoxRun {
-  std::vector<double> energy;
-  std::string log;
-};
-
-BoxRun run_box(const WrittenEngine& written, const Engine& engine, const MaterialMatrix& matrix, int count,
-               const std::vector<std::string>& arguments) {
-  const test::TemporaryFolder folder;
-  folder.write(written.matrix_file(), written.matrix_input(matrix));
-  for (const auto& [name, text] : written.box_files(matrix, particle_box(matrix, count)))
-    folder.write(name, text);
-  std::vector<std::string> command{find_program(engine.executable()).string()};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  run_program(command, folder.path, "log", std::chrono::seconds(280));
-  BoxRun run;
-  std::ifstream log(folder.path / "log");
-  run.log = {std::istreambuf_iterator<char>(log), {}};
-  std::ifstream rows(folder.path / "energy.csv");
-  std::string line;
-  std::getline(rows, line);
-  while (std::getline(rows, line)) {
-    double time = 0, translation = 0, rotation = 0;
-    if (std::sscanf(line.c_str(), "%lf,%lf,%lf", &time, &translation, &rotation) == 3)
-      run.energy.push_back(translation + rotation);
-  }
-  return run;
-}
-
-/// What contacts hold elastically comes back within an impact: so the largest energy of motion of a window
-/// that is longer than an impact stands for all of the energy.
-void expect_that_energy_never_rises(const BoxRun& run, const ParticleBox& box) {
-  ASSERT_GE(run.energy.size(), 199u) << run.log;
-  double mass = 0;
-  for (const BoxParticle& p : box.particles) mass += p.material == 0 ? 2230 : 1050;
-  mass *= 4.0 / 3 * M_PI * radius * radius * radius;
-  EXPECT_NEAR(run.energy.front() / (mass * box.speed * box.speed / 2), 1, 1e-6);
-  constexpr std::size_t window = 20;
-  double before = run.energy.front();
-  for (std::size_t i = 0; i + window <= run.energy.size(); i += window) {
-    const double largest =
-        *std::max_element(run.energy.begin() + long(i), run.energy.begin() + long(i + window));
-    EXPECT_LE(largest, before * (1 + 1e-9)) << "row " << i;
-    before = largest;
-  }
-  EXPECT_LT(run.energy.back(), 0.6 * run.energy.front()) << "the particles hardly met";
-  EXPECT_GT(run.energy.back(), 0.1 * run.energy.front());
-}
-
 TEST(ManyParticles_other_code, thousand_particles_of_two_materials_cool_alike_in_lammps_and_liggghts) {
   ASPERITY_ENGINE_OR_SKIP(Lammps());
   const MaterialMatrix m = two_materials();
   const ParticleBox box = particle_box(m, 1000);
   const BoxRun lammps = run_box(Lammps(), Lammps(), m, 1000, {"-in", "in.box"});
-  expect_that_energy_never_rises(lammps, box);
+  expect_that_energy_never_rises(lammps, m, box);
   ASPERITY_ENGINE_OR_SKIP(Liggghts());
   const BoxRun liggghts = run_box(written_engine_of("liggghts"), Liggghts(), m, 1000, {"-in", "in.box"});
-  expect_that_energy_never_rises(liggghts, box);
+  expect_that_energy_never_rises(liggghts, m, box);
   // Two programs that share nothing but the files' numbers; LIGGGHTS has no torsion.
   EXPECT_NEAR(liggghts.energy.back() / lammps.energy.back(), 1, 0.1);
 }
@@ -375,7 +330,7 @@ TEST(ManyParticles_other_code, thousand_particles_of_two_materials_cool_alike_in
 void cool_in_yade(int count) {
   const MaterialMatrix m = two_materials();
   const BoxRun yade = run_box(Yade(), Yade(), m, count, {"-n", "-x", "box.py"});
-  expect_that_energy_never_rises(yade, particle_box(m, count));
+  expect_that_energy_never_rises(yade, m, particle_box(m, count));
   ASPERITY_ENGINE_OR_SKIP(Lammps());
   const BoxRun lammps = run_box(Lammps(), Lammps(), m, count, {"-in", "in.box"});
   EXPECT_NEAR(yade.energy.back() / lammps.energy.back(), 1, 0.1);
