@@ -188,13 +188,16 @@ void add_input_command(CLI::App& app) {
                     "fitted loads); with "
                     "many particles also the highest load that the time step is for");
   input
-      ->add_option("--normal-law", input_arguments->normal_law,
-                   "hertz, or of a contact that yielded luding (liggghts, mercurydpm, yade) or mdr (lammps)")
+      ->add_option(
+          "--normal-law", input_arguments->normal_law,
+          "hertz, or of a contact that yielded luding (liggghts, mercurydpm, yade) or, one contact at a "
+          "time, mdr (lammps)")
       ->capture_default_str();
   input->add_flag("--many-particles", input_arguments->many_particles,
                   "All pairs of all materials with time step and damping (implied by several records)");
   input->add_option("--restitution", input_arguments->restitution,
-                    "Of a normal impact, for the damping between many particles (default: 0.5)");
+                    "Of a normal impact, for the damping between many particles (default: 0.5; with "
+                    "luding 0.99, for yielding dissipates besides)");
   input->add_option(
       "--radii", input_arguments->radii,
       "'5 um to 10 um': smallest and largest of many particles (default: those of the records)");

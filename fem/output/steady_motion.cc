@@ -54,6 +54,29 @@ double fluctuation(const Steady& steady) {
   return std::sqrt(squares / static_cast<double>(steady.where.last - steady.where.first));
 }
 
+/// Slope of the work that the energy balance leaves open over the angle, by least squares, and its standard
+/// error, in squares: what comes and goes along the path is no dissipation.
+double unbalanced_per_angle(const std::vector<HistoryRow>& records, const Steady& steady) {
+  double largest_work = 0;  // energy_error is over it
+  for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
+  const auto [first, last] = steady.where;
+  const auto count = static_cast<double>(last - first + 1);
+  const auto left_open = [&](std::size_t i) { return records[i].energy_error * largest_work; };
+  double mean_angle = 0, mean = 0;
+  for (std::size_t i = first; i <= last; ++i)
+    mean_angle += records[i].rolling_angle / count, mean += left_open(i) / count;
+  double angles = 0, products = 0, squares = 0;
+  for (std::size_t i = first; i <= last; ++i) {
+    const double angle = records[i].rolling_angle - mean_angle;
+    angles += angle * angle;
+    products += angle * (left_open(i) - mean);
+  }
+  const double slope = products / angles;
+  for (std::size_t i = first; i <= last; ++i)
+    squares += std::pow(left_open(i) - mean - slope * (records[i].rolling_angle - mean_angle), 2);
+  return std::hypot(slope, std::sqrt(squares / (count - 2) / angles));
+}
+
 }  // namespace
 
 std::optional<SteadyResistance> steady_sliding(const std::vector<HistoryRow>& records) {
@@ -82,14 +105,8 @@ std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& re
 std::optional<RollingDissipation> rolling_dissipation(const std::vector<HistoryRow>& records, double radius) {
   const Steady steady = steady_part(records, &HistoryRow::rolling_angle, &HistoryRow::rolling_moment, radius);
   if (!steady.where.reached()) return std::nullopt;
-  double largest_work = 0;  // energy_error is over it
-  for (const auto& r : records) largest_work = std::max(largest_work, std::abs(r.work));
-  const auto begin = records.begin();
-  const auto [least, most] = std::minmax_element(
-      begin + std::ptrdiff_t(steady.where.first), begin + std::ptrdiff_t(steady.where.last) + 1,
-      [](const auto& a, const auto& b) { return a.energy_error < b.energy_error; });
   return RollingDissipation{dissipated_per_path_length(records, steady),
-                            (most->energy_error - least->energy_error) * largest_work / steady.path_length()};
+                            unbalanced_per_angle(records, steady)};
 }
 
 }  // namespace asperity::fem
