@@ -95,6 +95,7 @@ PlannedMotion motion_of(const std::string& type, double friction, bool named,
 
 /// Normal load without friction, which hardly changes it and so counts for each coefficient; then each motion
 /// at each coefficient.
+/// contact_radius: at the largest load [m].
 std::vector<PlannedMotion> motions_of(const CharacteriseRequest& request, double contact_radius) {
   using Entries = std::vector<std::pair<std::string, std::string>>;
   std::vector<PlannedMotion> motions{
@@ -165,17 +166,20 @@ CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, c
   plan.rung = rung;
   plan.loads = loads_of(request.loads, rung.loads);
   const Hertz smooth = smooth_contact(request);
+  const double work = request.adhesion ? request.adhesion->work : 0, E = smooth.reduced_modulus,
+               R = smooth.radius, least = radius_least_by_attraction(E, R, work, plan.loads.front()),
+               widest = radius_widest_by_attraction(E, R, work, plan.loads.back());
   const double rolloff = std::min(rolloff_of(substrate), particle ? rolloff_of(*particle) : infinite),
                measured = std::max(substrate.shortest_wave, particle ? particle->shortest_wave : 0);
   const double needed = std::max(rolloff / rung.waves, measured) / cells_per_wave;
-  plan.spacing = std::min(smooth.contact_radius(plan.loads.front()) / rung.cells_per_radius, needed);
+  plan.spacing = std::min(least / rung.cells_per_radius, needed);
   plan.cutoff = std::max(cells_per_wave * plan.spacing, measured);
   const bool drawn =
       from_spectrum(substrate, request.surface) || (particle && from_spectrum(*particle, request.surface));
   if (!drawn) plan.rung.realisations = 1;
   plan.rung.pressed = plan.rung.realisations;
   plan.base = base_of(request, plan, substrate, particle);
-  plan.motions = motions_of(request, smooth.contact_radius(plan.loads.back()));
+  plan.motions = motions_of(request, widest);
   plan.cases = static_cast<int>(plan.loads.size() * plan.motions.size()) * plan.rung.realisations;
   for (const auto& motion : plan.motions) plan.seconds += seconds_of(plan, motion) * plan.rung.realisations;
   return plan;

@@ -14,7 +14,7 @@ namespace asperity {
 /// How much is solved: rungs of a ladder, each dearer and more accurate than the one before.
 struct Rung {
   double cells_per_radius =
-      0;             ///< of Hertz' contact at the lowest load: contact radius over spacing, at least [-]
+      0;             ///< of the smooth contact at the lowest load: contact radius over spacing, at least [-]
   double waves = 0;  ///< roll-off of the spectrum over the shortest wave, at least [-]
   int loads = 1, realisations = 1;
   int pressed = 1;  ///< realisations under normal load alone, which cost least and tell the stiffnesses

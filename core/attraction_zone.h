@@ -1,4 +1,4 @@
-// The zone at the edge of a contact in which a short-ranged attraction acts.
+// How far attraction widens the contact of smooth spheres, and the zone at its edge in which it acts.
 #pragma once
 
 #include <cmath>
@@ -14,5 +14,19 @@ inline double attraction_zone(double reduced_modulus, double work, double stress
 /// Cells of finite elements over the zone, with which the pull-off force is some 4 % too large; with fewer it
 /// grows quickly (docs/solver.md) [-].
 constexpr double cells_over_attraction_zone = 3;
+
+/// Radius of a smooth contact under a force F [N] that attraction of a range of nothing and a work of
+/// adhesion w [J/m^2] widens, a^3 = 3 R/(4 E*) (F + c + (2 c F + c^2)^(1/2)), c = 3 pi w R (Johnson, Kendall
+/// & Roberts 1971) [m]: the most that attraction can. E* [Pa], R [m].
+inline double radius_widest_by_attraction(double reduced_modulus, double radius, double work, double force) {
+  const double c = 3 * M_PI * work * radius;
+  return std::cbrt(0.75 * radius * (force + c + std::sqrt(2 * c * force + c * c)) / reduced_modulus);
+}
+
+/// The same of attraction of a long range, which presses like a force of 2 pi w R on top (Derjaguin, Muller &
+/// Toporov 1975) [m]: the least.
+inline double radius_least_by_attraction(double reduced_modulus, double radius, double work, double force) {
+  return std::cbrt(0.75 * radius * (force + 2 * M_PI * work * radius) / reduced_modulus);
+}
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/attraction_zone.h"
 #include "fem/interface/adhesion_law.h"
 #include "fem/materials/material_law.h"
 #include "half_space/filmed_sphere.h"
@@ -42,11 +43,12 @@ double least_contact_radius(const CaseInput& input, const CaseSetup& setup) {
   const bool bare = !input.particle.film.is_there() && !input.substrate.film.is_there();
   const bool by_force = input.experiment.control == ExperimentInput::Control::force;
   if (!bare || !by_force || !setup.attraction.acts()) return elastic;
-  const double bears =
-      setup.largest_contact_force() + 2 * M_PI * work_of_adhesion(input.interface).closing * input.radius;
+  const double drawn =
+      radius_least_by_attraction(setup.reduced_modulus, input.radius,
+                                 work_of_adhesion(input.interface).closing, setup.largest_contact_force());
   const double wave =
       std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
-  return std::max(elastic, std::min(hertz_of(input).contact_radius(bears), wave));
+  return std::max(elastic, std::min(drawn, wave));
 }
 
 double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
@@ -63,10 +65,10 @@ double largest_contact_radius(const CaseInput& input, const CaseSetup& setup) {
 double attracted_radius(const CaseInput& input, const CaseSetup& setup) {
   const double R = input.radius, E = setup.reduced_modulus,
                work = setup.attraction.acts() ? work_of_adhesion(input.interface).opening : 0,
-               c = 3 * M_PI * work * R, F = setup.largest_contact_force();
+               F = setup.largest_contact_force();
   if (work == 0) return 0;
   if (input.experiment.control == ExperimentInput::Control::force)
-    return std::cbrt(0.75 * R * (F + c + std::sqrt(2 * c * F + c * c)) / E);
+    return radius_widest_by_attraction(E, R, work, F);
   double a = setup.hertz_radius;
   constexpr int enough = 30;  // each iteration leaves a quarter of the change before
   for (int k = 0; k < enough; ++k)

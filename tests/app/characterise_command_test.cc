@@ -69,6 +69,25 @@ TEST(CharacteriseCommand_behaviour, says_where_the_planned_cells_do_not_resolve_
       << text;
 }
 
+/// Three cells over the radius of a sphere that is drawn on by 2 pi w R more than its load (Derjaguin, Muller
+/// & Toporov 1975): 79 nm, where Hertz' contact has 11.
+TEST(CharacteriseCommand_analytic, counts_its_cells_over_the_contact_that_attraction_makes) {
+  const TemporaryFolder folder;
+  const Outcome planned =
+      call("characterise " + scan_in(folder) +
+           " --particle 'borosilicate, 8.5 um' --substrate silicon --loads '10 nN' --plan --quick --adhesion "
+           "'77 mJ/m^2, 1 nm'");
+  ASSERT_EQ(planned.status, 0) << planned.output;
+  const double modulus = reduced_modulus({71e9, 0.17}, {179e9, 0.25}),
+               force = 10e-9 + 2 * std::acos(-1) * 77e-3 * 8.5e-6,
+               radius = std::cbrt(0.75 * 8.5e-6 * force / modulus);
+  const std::string said = "nodes every ";
+  const std::size_t at = planned.output.find(said);
+  ASSERT_NE(at, std::string::npos) << planned.output;
+  EXPECT_NEAR(std::stod(planned.output.substr(at + said.size())) / (1e9 * radius / 3), 1, 0.01)
+      << planned.output;
+}
+
 TEST(CharacteriseCommand_behaviour,
      more_time_buys_more_loads_and_realisations_and_known_friction_fewer_cases) {
   const TemporaryFolder folder;
