@@ -19,6 +19,7 @@
 #include "engines/engine_input.h"
 #include "engines/many_particles/material_matrix.h"
 #include "engines/many_particles/matrix_header.h"
+#include "engines/many_particles/matrix_inputs.h"
 #include "engines/many_particles/particle_box.h"
 #include "engines/needed_cases.h"
 

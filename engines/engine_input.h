@@ -52,9 +52,6 @@ class WrittenEngine {
                                                                      const ParticleBox& box) const;
 };
 
-/// With the matrix's own normal law; throws InputError where that is not written for this engine.
-std::string matrix_input_of(const WrittenEngine& engine, const MaterialMatrix& matrix);
-
 /// By its key; throws InputError for an engine that is not known, naming what was meant.
 const WrittenEngine& written_engine_of(const std::string& key);
 

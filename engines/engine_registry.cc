@@ -4,7 +4,6 @@
 #include "core/joined.h"
 #include "engines/engine.h"
 #include "engines/input_notes.h"
-#include "engines/many_particles/material_matrix.h"
 
 namespace asperity {
 namespace engines {
@@ -49,13 +48,9 @@ std::string WrittenEngine::elastoplastic_input(InputNotes&) const {
   throw InputError("asperity writes no elasto-plastic normal law for " + name() + "; leave --normal-law out");
 }
 
-std::string WrittenEngine::elastoplastic_matrix_input(const MaterialMatrix& matrix) const {
-  throw InputError("asperity writes no normal law '" + matrix.normal_law + "' of many particles for " +
-                   name() + "; it does for liggghts, mercurydpm and yade. Leave --normal-law out");
-}
-
-std::string matrix_input_of(const WrittenEngine& engine, const MaterialMatrix& matrix) {
-  return matrix.yields() ? engine.elastoplastic_matrix_input(matrix) : engine.matrix_input(matrix);
+std::string WrittenEngine::elastoplastic_matrix_input(const MaterialMatrix&) const {
+  throw InputError("asperity writes no elasto-plastic normal law of many particles for " + name() +
+                   "; it does for liggghts, mercurydpm and yade. Leave --normal-law out");
 }
 
 std::string WrittenEngine::matrix_input(const MaterialMatrix&) const {

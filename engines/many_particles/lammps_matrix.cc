@@ -20,7 +20,7 @@ double tsuji_polynomial(double e) {
 /// InputError for one that it cannot reach.
 double tsuji_number(double restitution) {
   if (restitution == 1) return 1;
-  const double wanted = 2 * std::sqrt(5.0 / 6 * 1.5) * hertz_damping_ratio(restitution);
+  const double wanted = 2 * std::sqrt(5.0 / 6 * 1.5) * damping_ratio(restitution);
   if (wanted > tsuji_polynomial(0))
     throw InputError(
         "LAMMPS' damping reaches a restitution of 0.12 and above; choose a larger one with --restitution");

@@ -55,7 +55,7 @@ std::string pair_name(const MaterialMatrix& matrix, std::size_t i, std::size_t j
   return name(i) + " and " + name(j);
 }
 
-double hertz_damping_ratio(double restitution) {
+double damping_ratio(double restitution) {
   const double l = std::log(restitution);
   return -l / std::sqrt(l * l + M_PI * M_PI);
 }

@@ -31,9 +31,9 @@ std::string pair_name(const MaterialMatrix& matrix, std::size_t i, std::size_t j
 /// it is off for the smallest.
 std::string one_size_of_stiffness(const MaterialMatrix& matrix);
 
-/// Damping ratio beta of a Hertz contact whose damper goes with the root of its tangent stiffness k, 2 beta
-/// (5/6)^(1/2) (m k)^(1/2), from the restitution e: -ln e/(ln^2 e + pi^2)^(1/2) (Antypov & Elliott 2011, EPL
-/// 94, 50004).
-double hertz_damping_ratio(double restitution);
+/// Damping ratio beta that makes a restitution e, -ln e/(ln^2 e + pi^2)^(1/2): of a linear spring with the
+/// damper 2 beta (m k)^(1/2), and of a Hertz contact whose damper goes with the root of its tangent stiffness
+/// k, 2 beta (5/6)^(1/2) (m k)^(1/2) (Antypov & Elliott 2011, EPL 94, 50004).
+double damping_ratio(double restitution);
 
 }  // namespace asperity

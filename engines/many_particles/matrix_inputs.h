@@ -3,9 +3,15 @@
 
 #include <string>
 
+#include "engines/engine_input.h"
 #include "engines/many_particles/material_matrix.h"
 
 namespace asperity {
+
+/// With the matrix's own normal law; throws InputError where that is not written for this engine.
+inline std::string matrix_input_of(const WrittenEngine& engine, const MaterialMatrix& matrix) {
+  return matrix.yields() ? engine.elastoplastic_matrix_input(matrix) : engine.matrix_input(matrix);
+}
 
 /// pair_style granular with all pair_coeff, and a variable for each pair at a plane, for fix wall/gran.
 std::string lammps_matrix(const MaterialMatrix& matrix);

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/hertz.h"
 #include "core/quantity.h"
+#include "engines/many_particles/matrix_inputs.h"
 #include "engines/many_particles/time_step.h"
 
 namespace asperity {

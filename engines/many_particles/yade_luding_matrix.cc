@@ -27,7 +27,8 @@ def asperity_begin(i, pair):
     mass = masses[0]*masses[1]/sum(masses) if len(masses) == 2 else masses[0]
     phys.G0 = 2*asperity_damping_ratio*(mass*phys.k1)**0.5
     phys.shearForce = Vector3.Zero
-    phys.normalForce = i.geom.normal*(phys.k1*min(depth, phys.DeltPMax) + phys.kp*max(0, depth - phys.DeltPMax))
+    beyond = max(0, depth - phys.DeltPMax)
+    phys.normalForce = i.geom.normal*(phys.k1*(depth - beyond) + phys.kp*beyond)
     asperity_add(i, phys.normalForce - force, Vector3.Zero)
 
 def asperity_step():
@@ -42,12 +43,6 @@ def asperity_step():
                 asperity_begin(i, pair)
     asperity_known = now
 )";
-
-/// Of a linear spring: -ln e/(ln^2 e + pi^2)^(1/2).
-double linear_damping_ratio(double restitution) {
-  const double l = std::log(restitution);
-  return -l / std::sqrt(l * l + M_PI * M_PI);
-}
 
 }  // namespace
 
@@ -84,7 +79,7 @@ asperity_materials = []  # ids of the types, in their order
   text +=
       "asperity_functor = Ip2_LudingMat_LudingMat_LudingPhys()\nasperity_law = "
       "Law2_ScGeom_LudingPhys_Basic()\nasperity_damping_ratio = " +
-      text_number(linear_damping_ratio(matrix.restitution)) +
+      text_number(damping_ratio(matrix.restitution)) +
       "\nO.dt = " + text_number(time_step_of(matrix).advised) + "\n" + yade_contact_functions +
       luding_functions + "\n";
   each_pair(matrix, [&](std::size_t i, std::size_t j) {

@@ -13,7 +13,7 @@ std::string yade_matrix(const MaterialMatrix& matrix) {
   header.engine = "YADE";
   header.sizes =
       "asperity_step() scales rolling and torsion with them: limit with R_e, stiffness with R_e^2.";
-  const double betan = std::sqrt(5.0 / 6) * hertz_damping_ratio(matrix.restitution);
+  const double betan = std::sqrt(5.0 / 6) * damping_ratio(matrix.restitution);
   header.damping =
       "betan = (5/6)^(1/2) -ln e/(ln^2 e + pi^2)^(1/2) of the functor (Antypov & Elliott 2011), betas alike.";
   std::string text = header_text(matrix, header, python_comment) + R"(

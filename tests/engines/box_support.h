@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engines/many_particles/matrix_inputs.h"
 #include "engines/many_particles/particle_box.h"
 #include "tests/engines/engine_support.h"
 

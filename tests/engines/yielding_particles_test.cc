@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "dem_compare/laws/luding.h"
-#include "engines/many_particles/material_matrix.h"
+#include "engines/many_particles/matrix_inputs.h"
 #include "engines/many_particles/particle_box.h"
 #include "engines/many_particles/time_step.h"
 #include "tests/engines/box_support.h"
@@ -166,7 +166,8 @@ state = O.bodies[upper].state
 state.blockedDOFs = 'xyzXYZ'
 O.dt = 1e-9
 O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
-    InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()], [asperity_functor], [asperity_law]),
+    InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],
+                    [asperity_functor], [asperity_law]),
     PyRunner(command='asperity_step()', iterPeriod=1, initRun=True), NewtonIntegrator(damping=0)]
 print()
 for speed, count in ((-1e-3, 40), (1e-3, 35)):
