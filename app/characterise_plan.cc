@@ -102,18 +102,19 @@ std::vector<PlannedMotion> motions_of(const CharacteriseRequest& request, double
       motion_of("normal", 0, false, {{"Load steps", "6"}, {"Unload steps", "5"}, {"Unload", "true"}})};
   const bool named = request.friction.size() > 1;
   const std::string back = text_of(contact_radius, Dimension::length);
-  constexpr double quick_path = 3.5;  // contact radii
-  const Entries path = request.quick
-                           ? Entries{{"Distance", text_of(quick_path * contact_radius, Dimension::length)},
-                                     {"Motion steps", "24"}}
-                           : Entries{};
+  const auto quick_path = [&](double radii, const char* steps) {
+    return Entries{{"Distance", text_of(radii * contact_radius, Dimension::length)}, {"Motion steps", steps}};
+  };
   for (const double friction : request.friction) {
     Entries there{{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "false"}};
     const Entries torsion = there;
-    there.insert(there.end(), path.begin(), path.end());
     Entries there_and_back{
         {"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "true"}, {"Return distance", back}};
-    there_and_back.insert(there_and_back.end(), path.begin(), path.end());
+    if (request.quick) {
+      // Rolling is steady a radius later.
+      for (auto& entry : quick_path(3.5, "24")) there.push_back(entry);
+      for (auto& entry : quick_path(4.5, "31")) there_and_back.push_back(entry);
+    }
     motions.push_back(motion_of("sliding", friction, named, there));
     motions.push_back(motion_of("rolling", friction, named, there_and_back));
     motions.push_back(motion_of("torsion", friction, named, torsion));

@@ -50,7 +50,7 @@ std::size_t first_row_sticking(const Values& sticking, const MotionLeg& leg, dou
 std::size_t first_rolling_row(const MotionRows& rows, const MotionLeg& leg) {
   std::size_t row = leg.first + 1;
   while (row <= leg.last && std::abs(rows.position[row] - rows.position[leg.first]) * rows.rolling_radius <
-                                rows.contact_radius[row])
+                                radii_rolled_until_steady * rows.contact_radius[row])
     ++row;
   return row;
 }

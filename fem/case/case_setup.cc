@@ -121,8 +121,15 @@ CaseInput with_derived_path_length(const CaseInput& input) {
   find_contact_scales(input, setup);
   auto& e = derived.experiment;
   const double attracted = attracted_radius(input, setup);
-  if ((e.type == Motion::sliding || e.type == Motion::rolling) && e.distance == 0)
-    e.distance = std::max(5 * setup.hertz_radius, 4 * std::max(setup.filmed_radius, attracted));
+  if ((e.type == Motion::sliding || e.type == Motion::rolling) && e.distance == 0) {
+    // A rolling contact is steady a radius later than one that slides. A wide one would leave the sphere's
+    // finely meshed cap.
+    constexpr double widest_over_radius = 0.07;
+    const double wide = std::max(setup.filmed_radius, attracted), widest = std::max(setup.hertz_radius, wide);
+    const bool goes_on = e.type == Motion::rolling && widest < widest_over_radius * input.radius;
+    const double more = goes_on ? 1 : 0;
+    e.distance = std::max((5 + more) * setup.hertz_radius, (4 + more) * wide);
+  }
   if (e.type == Motion::torsion && e.angle == 0) {
     e.angle = 6 * full_slip_angle(input, setup.largest_contact_force(), setup.hertz_radius);
     // Drawn to this radius the bodies bear on each other as under the load that presses Hertz' contact to it.

@@ -105,7 +105,7 @@ json meanings() {
       {"rolling_moment",
        "about the contact, of a particle whose shift follows its rolling so that no lateral force builds "
        "up; "
-       "rolling_dissipation: dissipated energy per angle after a contact radius, without the conservative "
+       "rolling_dissipation: dissipated energy per angle after two contact radii, without the conservative "
        "topographic part of the moment; "
        "rolling_noise_floor: discretisation noise: moment of smooth elastic bodies on meshes of six to "
        "twelve "

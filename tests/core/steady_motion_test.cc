@@ -56,13 +56,13 @@ TEST(SteadyMotion_analytic, spinning_is_steady_from_five_per_cent_of_sticking_on
   EXPECT_EQ(steady_onset(rows, {0, 6, -1}), 3u);
 }
 
-TEST(SteadyMotion_analytic, rolling_is_steady_after_a_contact_radius_of_way_in_either_direction) {
+TEST(SteadyMotion_analytic, rolling_is_steady_after_two_contact_radii_of_way_in_either_direction) {
   MotionRows rows;
   rows.rolling_radius = 10;
   for (const double direction : {1.0, -1.0}) {
-    rows.position.clear(), rows.contact_radius.assign(7, 3.0);
+    rows.position.clear(), rows.contact_radius.assign(7, 1.5);
     for (int i = 0; i < 7; ++i) rows.position.push_back(0.5 + direction * 0.1 * i);
-    rows.contact_radius[3] = 3.5;  // path length 3: still short of it
+    rows.contact_radius[3] = 1.75;  // path length 3: still short of it
     EXPECT_EQ(steady_onset(rows, {0, 6, direction > 0 ? 1 : -1}), 4u);
   }
 }

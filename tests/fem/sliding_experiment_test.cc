@@ -317,6 +317,8 @@ TEST(SolveCase_behaviour, derives_a_way_of_two_steady_contact_diameters) {
   input.experiment.distance = 0;
   const double a = fem::set_up(input).hertz_radius;
   EXPECT_DOUBLE_EQ(fem::with_derived_path_length(input).experiment.distance, 5 * a);
+  input.experiment.type = Motion::rolling;
+  EXPECT_DOUBLE_EQ(fem::with_derived_path_length(input).experiment.distance, 6 * a);
   input.experiment.distance = 1e-7;
   EXPECT_EQ(fem::with_derived_path_length(input).experiment.distance, 1e-7);
   input.experiment.type = Motion::torsion;
