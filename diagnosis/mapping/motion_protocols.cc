@@ -87,10 +87,10 @@ double sliding_path(const Experiment& e, const RecordedLoad& load, bool is_smoot
   return is_smooth ? path : std::max(path, of_radius * e.hertz().contact_radius(force));
 }
 
-/// The edge that opens has been in contact after one radius; two diameters of steady path follow, as in the
-/// default of a case.
+/// The contact that was pressed has been left after a diameter; two of steady path follow, as in the default
+/// of a case.
 double rolling_path(const Experiment& e, const RecordedLoad& load) {
-  constexpr double of_radius = 5;
+  constexpr double of_radius = 6;
   return of_radius * e.hertz().contact_radius(load.normal_force);
 }
 
