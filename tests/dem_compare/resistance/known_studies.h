@@ -125,16 +125,19 @@ inline std::vector<StudyEntry> adhesion_over_roughness() {
 }
 
 /// One input halved after the other, and two at once.
-inline std::vector<StudyEntry> varied_inputs() {
+inline std::vector<StudyEntry> varied_inputs(unsigned draw = 0) {
+  constexpr unsigned apart = 100;
   MovingFolder full;
+  full.random = 1 + apart * draw;
   full.experiment = "rolling", full.friction = 1e-14, full.adhesion = 2e-13, full.plastic = 3e-14,
   full.noise = 0.02, full.local_friction = 0.3;
   full.work_of_adhesion = "77 mJ/m^2";
   MovingFolder slippery = full, dry = full, soft = full, both = full;
-  slippery.local_friction = 0.15, slippery.random = 2;
-  dry.work_of_adhesion = "38.5 mJ/m^2", dry.adhesion = 1e-13, dry.random = 3;
-  soft.yield_stress = "1.5 GPa", soft.plastic = 9e-14, soft.random = 4;
-  both.work_of_adhesion = "38.5 mJ/m^2", both.local_friction = 0.15, both.adhesion = 1e-13, both.random = 5;
+  slippery.local_friction = 0.15, slippery.random = full.random + 1;
+  dry.work_of_adhesion = "38.5 mJ/m^2", dry.adhesion = 1e-13, dry.random = full.random + 2;
+  soft.yield_stress = "1.5 GPa", soft.plastic = 9e-14, soft.random = full.random + 3;
+  both.work_of_adhesion = "38.5 mJ/m^2", both.local_friction = 0.15, both.adhesion = 1e-13,
+  both.random = full.random + 4;
   return {{"full", full},
           {"half friction", slippery},
           {"half adhesion", dry},
