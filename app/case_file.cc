@@ -7,6 +7,7 @@
 
 #include "app/case_declaration.h"
 #include "app/case_film.h"
+#include "core/attraction_zone.h"
 #include "core/error.h"
 #include "core/experiment_declaration.h"
 #include "core/motion_program.h"
@@ -112,7 +113,11 @@ class Checker {
                  ", does not hold the contact radius of " +
                  quantities_apart(mesh.contact_region, hertz_radius(), Dimension::length).second +
                  " (Hertz); raise it, or 0 derives it");
-    const double extent = mesh.contact_region > 0 ? mesh.contact_region : hertz_radius();
+    double extent = mesh.contact_region > 0 ? mesh.contact_region : hertz_radius();
+    const double load = input_.experiment.normal_load;
+    if (mesh.interface_spacing > extent / 2 && mesh.contact_region == 0 && load > 0)  // attraction widens it
+      extent = radius_least_by_attraction(hertz_of(input_).reduced_modulus, input_.radius,
+                                          fem::work_of_adhesion(input_.interface).closing, load);
     if (mesh.interface_spacing > extent / 2)
       refuse("Mesh/Interface spacing",
              "Mesh/Interface spacing, " + format_quantity(mesh.interface_spacing, Dimension::length) +

@@ -139,7 +139,7 @@ TEST(SolvedRolling_behaviour, the_case_that_rolls_as_recorded_needs_nothing) {
       stand_in);
   EXPECT_EQ(d.verdict, Verdict::no_mismatch) << d.in_words;
   ASSERT_EQ(stand_in.paths.size(), 3u);
-  for (const double path : stand_in.paths) EXPECT_NEAR(path, 5, 1e-6);
+  for (const double path : stand_in.paths) EXPECT_NEAR(path, 6, 1e-6);
   EXPECT_EQ(d.simulation.error_of, "rolling resistance");
 }
 
