@@ -148,16 +148,23 @@ void add_pressed(CharacterisePlan& plan, double time) {
 }
 
 /// Surfaces by half-spaces: of normal load for the stiffnesses, and of torsion for its moment where all
-/// slips.
-void add_half_spaces(CharacterisePlan& plan, bool adhesive) {
+/// slips; a fifth of them at least, as the time allows.
+void add_half_spaces(CharacterisePlan& plan, bool adhesive, double time) {
   const double seconds_a_surface = adhesive ? 1.5 : 0.15;  // two at a time; attraction takes a separation
+  constexpr double least_share = 0.2;
+  int surfaces = 0;
   for (PlannedMotion& motion : plan.motions) {
     if (motion.label == "normal")
       motion.half_space_surfaces = adhesive ? 40 : 200;
     else if (motion.label.rfind("torsion", 0) == 0)
       motion.half_space_surfaces = adhesive ? 10 : 60;
-    plan.seconds += motion.half_space_surfaces * seconds_a_surface * static_cast<double>(plan.loads.size());
+    surfaces += motion.half_space_surfaces;
   }
+  const double seconds = surfaces * seconds_a_surface * static_cast<double>(plan.loads.size()),
+               share = std::clamp((time - plan.seconds) / seconds, least_share, 1.0);
+  for (PlannedMotion& motion : plan.motions)
+    motion.half_space_surfaces = static_cast<int>(std::lround(share * motion.half_space_surfaces));
+  plan.seconds += share * seconds;
 }
 
 CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, const MeasuredScan& substrate,
@@ -225,7 +232,7 @@ CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan&
     plan = dearer;
   }
   if (!request.quick && plan.rung.realisations > 1) {
-    add_half_spaces(plan, request.adhesion.has_value());
+    add_half_spaces(plan, request.adhesion.has_value(), request.time);
     add_pressed(plan, request.time);
   }
   return plan;
@@ -245,7 +252,8 @@ std::vector<std::string> plan_sentences(const CharacteriseRequest& request, cons
         std::to_string(plan.motions.front().half_space_surfaces) +
         " surfaces by half-spaces, which tell the mean of stiffnesses and of the torsion moment");
   sentences.push_back("about " + wait_text(plan.seconds) + " on two cores, to a factor of two");
-  if (plan.seconds > request.time)
+  const bool is_least = plan.rung.cells_per_radius == ladder().front().cells_per_radius;
+  if (plan.seconds > request.time && is_least)
     sentences.push_back("that is more than the " + wait_text(request.time) +
                         " that were asked for; it is the least that gives these numbers");
   if (plan.next)
