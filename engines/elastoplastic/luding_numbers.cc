@@ -43,6 +43,7 @@ LudingNumbers luding_numbers(InputNotes& notes, const std::string (&names)[4]) {
   notes.cannot("approaches beyond delta_p = " + text_number(approach) + " m, load " +
                text_number(numbers.k1 * approach) +
                " N: the law is elastic with k_p there, and nothing was solved");
+  if (numbers.kc == 0) notes.leaves_out_pull_off("the record has no luding_kc");
   notes.cannot("Hertz' curve: k1 is a straight line that is right on the whole up to delta_p");
   return numbers;
 }

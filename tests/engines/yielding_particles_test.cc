@@ -97,6 +97,11 @@ TEST(YieldingMatrix_behaviour, says_what_it_lacks_and_which_engines_take_it) {
                 matrix_input_of(written_engine_of(key), m);
               }).find("it does for liggghts, mercurydpm and yade"),
               std::string::npos);
+  ContactParameters sticky = yielded("glass.json", "glass", 20e3, 50e3, 0, 40 * nm);
+  sticky.pull_off_force = EffectiveQuantity{1e-6};
+  EXPECT_NE(matrix_input_of(written_engine_of("liggghts"), material_matrix({sticky}, options))
+                .find("the record has no luding_kc"),
+            std::string::npos);
   options.normal_law = "mdr";
   EXPECT_NE(
       message_of<InputError>([&] { material_matrix({elastic}, options); }).find("one contact at a time"),
