@@ -143,12 +143,12 @@ MaterialPair mixed(const MaterialMatrix& matrix, const Pairs& found, std::size_t
               between(&PairLaw::torsion_stiffness)};
   if (mean_a.luding && mean_b.luding)
     pair.law.luding = added(added({}, *mean_a.luding, 0.5), *mean_b.luding, 0.5);
-  pair.origin = std::string("mixed, no record has this pair: ") +
-                (pair.law.luding ? "k1, k_p, k_c, k_l over R_e and phi_f, "
-                                 : "E* and G* from both bodies' E and nu, ") +
-                "friction, rolling and torsion as the mean of both materials', each from its pair with "
-                "itself or else all "
-                "its pairs; solve this pair to know";
+  pair.origin =
+      std::string("mixed, no record has this pair: ") +
+      (pair.law.luding ? "k1, k_p, k_c, k_l over R_e and phi_f, "
+                       : "E* and G* from both bodies' E and nu, ") +
+      "friction, rolling and torsion as the mean of both materials', each from its pair with itself "
+      "or else all its pairs; solve this pair to know";
   return pair;
 }
 

@@ -64,7 +64,10 @@ std::string one_size_of_stiffness(const MaterialMatrix& matrix) {
   const double largest = matrix.largest_radius, smallest = matrix.smallest_radius;
   std::string text =
       "Stiffness goes with R_e and is one number for a pair here: that of two particles of R = " +
-      short_number(largest) + " m, R_e = R/2, or of one of them on a plane, R_e = R";
+      short_number(largest) +
+      " m, R_e = R/2, or, of a pair with a plane's material, of one of them on a plane, R_e = R; a particle "
+      "on "
+      "a plane of its own material has half of what it should have";
   if (smallest < largest)
     text += "; between particles of R = " + short_number(smallest) + " m it is " +
             printed("%.3g", largest / smallest) + " times what it should be";

@@ -189,6 +189,37 @@ sys.stdout.flush(); os._exit(0)
   }
 }
 
+/// Pressed by 10 nm and slid on a wall: k_l of the shift, then mu k1 delta. k_l is not k1 here.
+TEST(YieldingParticles_other_code, a_contact_slides_by_its_own_stiffness_and_friction_in_yade) {
+  ASPERITY_ENGINE_OR_SKIP(Yade());
+  ContactParameters record = yielded("glass.json", "glass", 20e3, 50e3, 0, 40 * nm);
+  record.lateral_stiffness = EffectiveQuantity{13e3};
+  MatrixOptions options;
+  options.normal_law = "luding", options.restitution = 1;
+  const std::string output =
+      run_script(Yade(), "from yade import *\nimport os, sys\n" +
+                             matrix_input_of(Yade(), material_matrix({record}, options)) + R"(
+R, d = 8.5e-6, 10e-9
+O.bodies.append(utils.wall(0, axis=2, material=asperity_materials[1]))
+b = O.bodies.append(utils.sphere((0, 0, R - d), R, material=asperity_materials[0]))
+O.bodies[b].state.blockedDOFs = 'xyzXYZ'
+O.dt = 1e-9
+O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
+    InteractionLoop([Ig2_Sphere_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],
+                    [asperity_functor], [asperity_law]),
+    PyRunner(command='asperity_step()', iterPeriod=1, initRun=True), NewtonIntegrator(damping=0)]
+O.run(1, True)
+O.bodies[b].state.vel = (1e-3, 0, 0)
+for name, steps in (('sticks', 1001), ('slips', 20000)):
+    O.run(steps, True)
+    print('\n%s: %.9g end' % (name, abs(O.forces.f(b)[0])))
+sys.stdout.flush(); os._exit(0)
+)");
+  const double lateral = record.lateral_stiffness_at(20e3 * 10 * nm);
+  EXPECT_NEAR(number_after(output, "\nsticks: ") / (lateral * 1 * nm), 1, 0.01) << output;
+  EXPECT_NEAR(number_after(output, "\nslips: ") / (0.23 * 20e3 * 10 * nm), 1, 0.01) << output;
+}
+
 /// Two spheres of a kind whose k_p is hardly more than k1 come apart at the restitution asked for: 0.8 of the
 /// speed at which they met.
 TEST(YieldingParticles_other_code, an_impact_that_hardly_yields_has_the_restitution_asked_for) {
