@@ -144,9 +144,8 @@ void add_motion(std::vector<CaseEntry>& entries) {
   entries.push_back(quantity(
       section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
       "Path length of sliding and rolling in one direction; 0: five radii of Hertz' contact, six where it "
-      "rolls, two contact diameters of them steady, or one radius less of a contact that a film or "
-      "attraction "
-      "widens by more."));
+      "rolls, two contact diameters of them steady (five and three radii of a contact wider than 0.07 of the "
+      "sphere), or one radius less of a contact that a film or attraction widens by more."));
   entries.push_back(quantity(
       section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
       "Angle of torsion in one direction; 0: six times that at which a smooth contact slips as a whole, or "

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/hertz.h"
+
 namespace asperity {
 
 /// Length of the zone of an attraction whose stress at contact is s [Pa] and whose work of adhesion is w
@@ -20,13 +22,13 @@ constexpr double cells_over_attraction_zone = 3;
 /// & Roberts 1971) [m]: the most that attraction can. E* [Pa], R [m].
 inline double radius_widest_by_attraction(double reduced_modulus, double radius, double work, double force) {
   const double c = 3 * M_PI * work * radius;
-  return std::cbrt(0.75 * radius * (force + c + std::sqrt(2 * c * force + c * c)) / reduced_modulus);
+  return Hertz{reduced_modulus, radius}.contact_radius(force + c + std::sqrt(2 * c * force + c * c));
 }
 
 /// The same of attraction of a long range, which presses like a force of 2 pi w R on top (Derjaguin, Muller &
 /// Toporov 1975) [m]: the least.
 inline double radius_least_by_attraction(double reduced_modulus, double radius, double work, double force) {
-  return std::cbrt(0.75 * radius * (force + 2 * M_PI * work * radius) / reduced_modulus);
+  return Hertz{reduced_modulus, radius}.contact_radius(force + 2 * M_PI * work * radius);
 }
 
 }  // namespace asperity

@@ -42,10 +42,10 @@ struct CaseSetup {
 };
 
 /// The case with Distance and Angle of its motion derived where they are 0: five radii of Hertz' contact, six
-/// where it rolls, so that two diameters of it are steady, and one less at least of one that a film or
-/// attraction widens; six times
-/// the spin at which a smooth contact slips as a whole, for the junctions of a rough one slip later, and four
-/// times at least that of a contact drawn together by attraction.
+/// where it rolls and the sphere's cap holds that, so that two diameters of it are steady, and one less at
+/// least of one that a film or attraction widens; six times the spin at which a smooth contact slips as a
+/// whole, for the junctions of a rough one slip later, and four times at least that of a contact drawn
+/// together by attraction.
 CaseInput with_derived_path_length(const CaseInput& input);
 
 /// Throws InputError if the mesh parameters do not fit the bodies.
