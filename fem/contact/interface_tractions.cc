@@ -263,15 +263,17 @@ double InterfaceTractions::friction_work(const ContactState& state) const {
     }
     const double slip[2] = {0.5 * (here[0][r] - start_[0][r] + seen_before[0][r] - start_before_[0][r]),
                             0.5 * (here[1][r] - start_[1][r] + seen_before[1][r] - start_before_[1][r])};
-    // Slipping rows transmit their shear limit, taken as the mean of both states: also where contact began or
-    // ended within the step.
+    // Slipping rows transmit their shear limit, taken as the mean of where slip began and where it ended,
+    // also where contact began or ended within the step. What stuck begins to slip when its limit has fallen
+    // to its shear.
+    const double stuck = std::hypot(shear_before_[0][r], shear_before_[1][r]),
+                 began = std::min(limit_before_[r], std::max(stuck, now));
     const double bx = now > 0 ? tx : shear_before_[0][r], by = now > 0 ? ty : shear_before_[1][r],
                  size = std::hypot(bx, by);
     // Slip that reversed within the step ends against its mean: it dissipated, but the amount does not follow
     // from both ends and counts as zero.
     if (size > 0)
-      work += system_.areas()[r] * 0.5 * (limit_before_[r] + now) *
-              std::max(0.0, -(bx * slip[0] + by * slip[1]) / size);
+      work += system_.areas()[r] * 0.5 * (began + now) * std::max(0.0, -(bx * slip[0] + by * slip[1]) / size);
   }
   return work;
 }

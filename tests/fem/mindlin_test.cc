@@ -167,6 +167,23 @@ TEST(MindlinNightly_analytic, traction_that_unloading_locks_in_has_both_rings) {
   EXPECT_TRUE(verified.below(100 * error_of_unloaded_traction(36), 3, "%"));
 }
 
+/// Friction would hold five times the load: what stuck, and leaves within one step, slips under the shear
+/// that it had and not under that limit.
+TEST(Mindlin_analytic, contact_that_is_lifted_at_once_dissipates_what_its_shear_had_stored) {
+  asperity::test::FrictionalContactOptions o;
+  o.friction = 5, o.cells_per_radius = 8;
+  FrictionalContact contact(o);
+  const double glued = 8 * contact.system.reduced_shear_modulus() * contact.contact_radius;
+  const auto shifted = contact.shift(0.3 * o.load * (1 / glued + contact.lateral_far_field));
+  const double stored = 0.5 * shifted.lateral_force[0] * contact.state.motion.x;
+  EXPECT_NEAR(shifted.lateral_force[0], 0.3 * o.load, 0.03 * 0.3 * o.load);
+  EXPECT_LT(contact.friction_work, 0.05 * stored);
+  contact.step(contact.state.motion, 1e-3 * o.load);
+  EXPECT_TRUE((asperity::test::Verified{"Sliding", "glued contact lifted in one step: dissipated [J]",
+                                        "half of force and shift, which its shear had stored"}
+                   .within(contact.friction_work, stored, 0.01)));
+}
+
 TEST(Mindlin_analytic, loop_follows_Masings_rule_and_dissipates_what_Mindlin_and_Deresiewicz_found) {
   FrictionalContact contact({});
   const double amplitude = 0.6;
