@@ -81,7 +81,8 @@ std::string seeds_of(const SolvedCase& solved) {
 
 Uncertain SteadyPath::resistance() const {
   if (!std::isfinite(dissipated.total.value)) return force;
-  return {dissipated.total.value, std::hypot(dissipated.total.sd, unbalanced)};
+  const Uncertain& total = dissipated.total;
+  return {total.value, std::hypot(total.sd, unbalanced), total.degrees_of_freedom};
 }
 
 Uncertain SteadyPath::of(DissipationPart part) const {

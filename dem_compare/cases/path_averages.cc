@@ -69,10 +69,28 @@ Uncertain mean_of_blocks(const std::vector<double>& values) {
   if (values.empty()) return {std::numeric_limits<double>::quiet_NaN()};
   if (values.size() < 2) return {values.front()};
   const CorrelatedMean mean = correlated_mean(values);
-  return {mean.mean, mean.standard_error * student_factor(mean.independent - 1)};
+  const double degrees = std::max(1.0, mean.independent - 1);
+  return {mean.mean, mean.standard_error * student_factor(degrees), degrees};
 }
 
-Uncertain mean_of_realisations(const std::vector<Uncertain>& values) {
+std::vector<Uncertain> with_shared_degrees_of_freedom(std::vector<Uncertain> means) {
+  double variances = 0, per_degree = 0;
+  for (auto& mean : means) {
+    if (!std::isfinite(mean.degrees_of_freedom) || !mean.has_sd()) continue;
+    mean.sd /= student_factor(mean.degrees_of_freedom);
+    const double variance = mean.sd * mean.sd;
+    variances += variance;
+    per_degree += variance * variance / mean.degrees_of_freedom;
+  }
+  if (per_degree == 0) return means;
+  const double shared = variances * variances / per_degree, factor = student_factor(shared);
+  for (auto& mean : means)
+    if (std::isfinite(mean.degrees_of_freedom)) mean.sd *= factor, mean.degrees_of_freedom = shared;
+  return means;
+}
+
+Uncertain mean_of_realisations(const std::vector<Uncertain>& realisations) {
+  const std::vector<Uncertain> values = with_shared_degrees_of_freedom(realisations);
   double count = 0, sum = 0, own = 0;
   for (const auto& value : values)
     if (std::isfinite(value.value)) ++count, sum += value.value, own += value.sd * value.sd;

@@ -33,8 +33,14 @@ double student_factor(double degrees_of_freedom);
 /// that of the mean, widened by Student's factor. Unknown for fewer than two.
 Uncertain mean_of_blocks(const std::vector<double>& values);
 
-/// Mean over realisations; the sd is that of the mean, from what each leaves open or from their scatter,
-/// whichever is larger. Those that are not numbers are left out.
+/// The same means, each widened by the factor of the degrees of freedom that they have together (Welch 1947;
+/// Satterthwaite 1946) and no longer by its own: three paths of four blocks tell their common mean by nine
+/// and not by three. For what is made of all of them.
+std::vector<Uncertain> with_shared_degrees_of_freedom(std::vector<Uncertain> means);
+
+/// Mean over realisations; the sd is that of the mean, from what each leaves open (with the degrees of
+/// freedom that they share) or from their scatter, whichever is larger. Those that are not numbers are left
+/// out.
 Uncertain mean_of_realisations(const std::vector<Uncertain>& values);
 
 /// Divides a monotonic path between two rows into `count` blocks of equal length: how much a

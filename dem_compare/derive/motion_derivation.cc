@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
@@ -15,6 +16,22 @@ using From = Origin::From;
 using MovedCases = std::vector<const ReducedCase*>;
 
 Uncertain resistance_of(const ReducedCase& item) { return item.moving->resistance(); }
+
+/// One resistance per case, in their order; those at one load share their degrees of freedom.
+std::vector<Uncertain> resistances_of(const MovedCases& cases) {
+  std::vector<Uncertain> all(cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    std::vector<std::size_t> at_load;
+    std::vector<Uncertain> means;
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      if (same_load(cases[k]->moving->load, cases[i]->moving->load))
+        at_load.push_back(k), means.push_back(resistance_of(*cases[k]));
+    if (at_load.front() != i) continue;
+    means = with_shared_degrees_of_freedom(means);
+    for (std::size_t k = 0; k < at_load.size(); ++k) all[at_load[k]] = means[k];
+  }
+  return all;
+}
 
 CaseNumber number_of(const ReducedCase& item, double value, double sd) {
   return {item.moving->load, item.realisation, item.spacing, value, sd};
@@ -89,7 +106,8 @@ void derive_stiffness(const ReducedSet& set, const MovedCases& seen, Derivation&
 }
 
 /// One fact per load.
-void find_resistances(const MovedCases& used, LawFindings& findings) {
+void find_resistances(const MovedCases& used, const std::vector<Uncertain>& resistances,
+                      LawFindings& findings) {
   for (std::size_t i = 0; i < used.size();) {
     std::size_t end = i;
     while (end < used.size() && same_load(used[end]->moving->load, used[i]->moving->load)) ++end;
@@ -97,7 +115,7 @@ void find_resistances(const MovedCases& used, LawFindings& findings) {
     MeanResistanceFact fact{findings.mode, used[i]->moving->load, {0, 0}, static_cast<int>(end - i)};
     double variance = 0;
     for (; i < end; ++i) {
-      const Uncertain resistance = resistance_of(*used[i]);
+      const Uncertain& resistance = resistances[i];
       const SteadyPath& path = used[i]->moving->first;
       fact.mean.value += resistance.value / count;
       variance += resistance.sd * resistance.sd / (count * count);
@@ -149,13 +167,14 @@ nlohmann::ordered_json moved_case_json(const ReducedCase& item) {
 
 /// Of torsion, whose moment where all slips is that of the pressures: more surfaces, as numbers and as points
 /// of the fit.
-double add_half_spaces(const MovedCases& used, const ContactParameters& parameters, LawFindings& findings,
+double add_half_spaces(const MovedCases& used, const std::vector<Uncertain>& resistances,
+                       const ContactParameters& parameters, LawFindings& findings,
                        std::vector<CaseNumber>& all) {
   if (findings.mode != &torsion_mode()) return 0;
   double shared = 0;
   std::vector<SolvedNumber> solved;
-  for (const ReducedCase* item : used)
-    solved.push_back({item->solved, item->moving->load, resistance_of(*item).value, resistance_of(*item).sd});
+  for (std::size_t i = 0; i < used.size(); ++i)
+    solved.push_back({used[i]->solved, used[i]->moving->load, resistances[i].value, resistances[i].sd});
   for (const auto& number : by_half_spaces(solved, "slipping_moment")) {
     all.push_back(number);
     shared = std::max(shared, number.shared_sd / number.value);
@@ -186,14 +205,17 @@ void derive_resistance(const MovedCases& seen, Derivation& derivation, LawFindin
   if (!sticking.empty())
     findings.open.push_back({About::slip, Derived::resistance, &mode, unknown, folders_of(sticking)});
   if (all.empty()) return;
-  for (const auto i : on_one_mesh(all)) {
-    used.push_back(steady[i]);
-    findings.points.push_back({all[i].load, all[i].value, all[i].sd, all[i].realisation,
-                               parameters.particle.radius, parameters.contact_radius(all[i].load)});
-    findings.details["resistance"].push_back(moved_case_json(*steady[i]));
+  const std::vector<std::size_t> on_mesh = on_one_mesh(all);
+  for (const auto i : on_mesh) used.push_back(steady[i]);
+  const std::vector<Uncertain> resistances = resistances_of(used);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const CaseNumber& number = all[on_mesh[i]];
+    findings.points.push_back({number.load, resistances[i].value, resistances[i].sd, number.realisation,
+                               parameters.particle.radius, parameters.contact_radius(number.load)});
+    findings.details["resistance"].push_back(moved_case_json(*used[i]));
   }
-  const double shared = add_half_spaces(used, parameters, findings, all);
-  find_resistances(used, findings);
+  const double shared = add_half_spaces(used, resistances, parameters, findings, all);
+  find_resistances(used, resistances, findings);
   find_short_paths(used, findings);
 
   const bool is_dissipation = std::all_of(

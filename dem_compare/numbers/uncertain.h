@@ -12,6 +12,8 @@ namespace asperity {
 struct Uncertain {
   double value = 0;
   double sd = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
+  /// Of a mean of few values, whose sd Student's factor has widened [-]; formulas take the sd as it is.
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();
 
   bool has_sd() const { return std::isfinite(sd); }
 };

@@ -47,6 +47,47 @@ TEST(Stretches_analytic, realisations_err_as_they_scatter_or_as_each_leaves_open
   EXPECT_FALSE(std::isfinite(mean_of_realisations({}).value));
 }
 
+/// Three paths of four blocks tell the mean of all of them by nine degrees of freedom, not by three.
+TEST(Stretches_analytic, two_sds_of_the_mean_over_few_paths_hold_the_truth_19_times_in_20) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(1, 0.1);
+  constexpr int repetitions = 2000;
+  int within = 0, within_shared = 0, within_own = 0;
+  for (int i = 0; i < repetitions; ++i) {
+    std::vector<Uncertain> paths(3);
+    double own = 0, shared = 0, sum = 0;
+    for (Uncertain& path : paths) {
+      std::vector<double> blocks(4);
+      for (double& block : blocks) block = normal(random);
+      path = mean_of_blocks(blocks);
+      own += path.sd * path.sd / 9, sum += path.value / 3;
+    }
+    for (const Uncertain& path : with_shared_degrees_of_freedom(paths)) shared += path.sd * path.sd / 9;
+    const Uncertain mean = mean_of_realisations(paths);
+    within += std::abs(mean.value - 1) < 2 * mean.sd;
+    within_shared += std::abs(sum - 1) < 2 * std::sqrt(shared);
+    within_own += std::abs(sum - 1) < 2 * std::sqrt(own);
+  }
+  EXPECT_NEAR(within_shared / double(repetitions), 0.954, 0.025);
+  EXPECT_GT(within, within_shared - 1);  // or by how far they are apart, if that is more
+  EXPECT_GT(within_own, 0.985 * repetitions);
+}
+
+TEST(Stretches_analytic, means_share_degrees_of_freedom_after_welch_and_satterthwaite) {
+  // Equal ones of 3 degrees each: 9 together. t of 95.45 %: 3.307 for 3, 2.320 for 9.
+  const double own = 3.307 / 2, together = 2.320 / 2;
+  const std::vector<Uncertain> equal(3, {1, 0.1 * own, 3});
+  for (const Uncertain& mean : with_shared_degrees_of_freedom(equal)) {
+    EXPECT_NEAR(mean.sd, 0.1 * together, 1e-4);
+    EXPECT_NEAR(mean.degrees_of_freedom, 9, 1e-9);
+  }
+  // One that errs by far the most has nearly its own alone; what is no mean of few stays as it is.
+  const auto apart = with_shared_degrees_of_freedom({{1, 0.1 * own, 3}, {1, 1e-4 * own, 3}, {1, 0.2}});
+  EXPECT_NEAR(apart[0].sd, 0.1 * own, 1e-4);
+  EXPECT_DOUBLE_EQ(apart[2].sd, 0.2);
+  EXPECT_FALSE(std::isfinite(apart[2].degrees_of_freedom));
+}
+
 TEST(Trend_analytic, line_has_slope_and_error_of_the_closed_form) {
   // Slope (3 - 1)/2 with error (0.3^2 + 0.4^2)^(1/2)/2.
   const Trend two = fit_trend({1, 3}, {{1, 0.3}, {3, 0.4}});
