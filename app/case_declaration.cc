@@ -145,7 +145,7 @@ void add_motion(std::vector<CaseEntry>& entries) {
       section, "Distance", at(&ExperimentInput::distance), Dimension::length, not_negative, "0 m", "",
       "Path length of sliding and rolling in one direction; 0: five radii of Hertz' contact, six where it "
       "rolls, two contact diameters of them steady (five and three radii of a contact wider than 0.07 of the "
-      "sphere), or one radius less of a contact that a film or attraction widens by more."));
+      "sphere's radius), or one radius less of a contact that a film or attraction widens by more."));
   entries.push_back(quantity(
       section, "Angle", at(&ExperimentInput::angle), Dimension::angle, not_negative, "0 rad", "",
       "Angle of torsion in one direction; 0: six times that at which a smooth contact slips as a whole, or "
@@ -164,8 +164,8 @@ void add_motion(std::vector<CaseEntry>& entries) {
   entries.push_back(not_physical(whole_number(
       section, "Motion steps", at(&ExperimentInput::motion_steps), 0, "0",
       "Equal steps of the motion in one direction; 0: fine steps where slip begins and after the reversal, "
-      "then an interface spacing or an eighth of Hertz' contact radius, whichever is less; half a spacing at "
-      "the rim of a contact that spins.")));
+      "then an interface spacing or an eighth of Hertz' contact radius (a twentieth where smooth bodies of "
+      "two materials roll), whichever is less; half a spacing at the rim of a contact that spins.")));
 }
 
 void add_mesh_solver_output(std::vector<CaseEntry>& entries) {

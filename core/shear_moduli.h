@@ -20,6 +20,14 @@ inline double reduced_shear_modulus(const ElasticBody& one, const ElasticBody& o
 }
 /// k_l = 8 G* a, the lateral stiffness without slip (Mindlin 1949).
 inline constexpr double mindlin_factor = 8;
+/// Dundurs' beta [-]: how much of the pressure's displacement along the surface the other body does not
+/// share; bodies of which it is zero touch without shear where friction would hold (Dundurs 1969; Johnson
+/// 1985, eq. 5.3). The sign is that of the first body's larger displacement.
+inline double dundurs_beta(const ElasticBody& one, const ElasticBody& other) {
+  const double g1 = shear_modulus(one), g2 = shear_modulus(other);
+  return ((1 - 2 * one.poisson_ratio) / g1 - (1 - 2 * other.poisson_ratio) / g2) /
+         (2 * ((1 - one.poisson_ratio) / g1 + (1 - other.poisson_ratio) / g2));
+}
 /// Gt of the torsion stiffness (16/3) Gt a^3 [Pa].
 inline double torsion_modulus(const ElasticBody& one, const ElasticBody& other) {
   return 1 / (1 / shear_modulus(one) + 1 / shear_modulus(other));

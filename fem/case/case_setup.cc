@@ -69,7 +69,8 @@ double full_slip_angle(const CaseInput& input, double force, double radius) {
 
 /// Shift and angle at which a smooth elastic contact slips as a whole (Mindlin 1949; Lubkin 1951 at a stick
 /// radius of a / 10), and steps of a spacing, an eighth of the contact radius at most; of half a spacing at
-/// the rim of a contact that spins.
+/// the rim of a contact that spins. Where smooth bodies of two materials roll, the edge that leaves within a
+/// step lets go of the shear of their mismatch at once: a twentieth of the contact radius.
 MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, double spacing) {
   const double a = std::max(setup.hertz_radius, setup.least_radius);
   const double force = setup.largest_contact_force() * std::pow(a / setup.hertz_radius, 3);
@@ -77,6 +78,10 @@ MotionScales motion_scales(const CaseInput& input, const CaseSetup& setup, doubl
   scales.full_slip_shift = 3 * friction_over(input, force, a) * lateral_compliance(input) / (16 * a);
   scales.full_slip_angle = full_slip_angle(input, force, a);
   scales.largest_shift = std::min(spacing, a / 8);
+  const bool lets_go = input.particle.topography.is_smooth() && input.substrate.topography.is_smooth() &&
+                       make_friction_law(input.interface) != nullptr &&
+                       dundurs_beta(elastic_body(input.particle), elastic_body(input.substrate)) != 0;
+  scales.largest_roll = lets_go ? std::min(spacing, a / 20) : scales.largest_shift;
   scales.largest_angle = spacing / (2 * a);
   scales.rolling_radius = input.radius;
   scales.contact_radius = a;

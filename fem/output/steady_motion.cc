@@ -105,8 +105,12 @@ std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& re
 std::optional<RollingDissipation> rolling_dissipation(const std::vector<HistoryRow>& records, double radius) {
   const Steady steady = steady_part(records, &HistoryRow::rolling_angle, &HistoryRow::rolling_moment, radius);
   if (!steady.where.reached()) return std::nullopt;
+  double step = 0;
+  const auto& angle = steady.rows.position;
+  for (std::size_t i = steady.where.first; i < steady.where.last; ++i)
+    step = std::max(step, std::abs(angle[i + 1] - angle[i]) * radius);
   return RollingDissipation{dissipated_per_path_length(records, steady),
-                            unbalanced_per_angle(records, steady)};
+                            unbalanced_per_angle(records, steady), step};
 }
 
 }  // namespace asperity::fem

@@ -30,6 +30,7 @@ std::optional<SteadyResistance> steady_rolling(const std::vector<HistoryRow>& re
 struct RollingDissipation {
   double per_angle;   ///< [N m]
   double unbalanced;  ///< drift of the work that the energy balance leaves open there, per angle [N m]
+  double step;        ///< largest step of the path there [m]
 };
 /// Over the same path as steady_rolling(). What the balance left open while the load came on is no part of
 /// it: it is the same before and after. radius [m].

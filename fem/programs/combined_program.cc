@@ -37,8 +37,8 @@ std::vector<double> shares(const ProgramPart& part, double load_change, const Ex
   };
   limit(std::hypot(part.slide, part.slide_across), scales.full_slip_shift, scales.largest_shift);
   limit(part.spin, scales.full_slip_angle, scales.largest_angle);
-  limit(rolled_angle(part, scales.rolling_radius) * scales.rolling_radius, scales.largest_shift,
-        scales.largest_shift);
+  limit(rolled_angle(part, scales.rolling_radius) * scales.rolling_radius, scales.largest_roll,
+        scales.largest_roll);
   limit(load_change, 0, 1.0 / e.load_steps);
   return graded_path(1, std::min(onset, 10 * largest), largest);
 }

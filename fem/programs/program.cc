@@ -51,9 +51,11 @@ void move(const ExperimentInput& e, const MotionScales& scales, std::vector<Stat
   const RigidMotion start = program.back().motion;
   const double length = torsion ? e.angle : e.distance;
   const double onset = torsion   ? scales.full_slip_angle
-                       : rolling ? scales.largest_shift
+                       : rolling ? scales.largest_roll
                                  : scales.full_slip_shift;
-  const double largest = torsion ? scales.largest_angle : scales.largest_shift;
+  const double largest = torsion   ? scales.largest_angle
+                         : rolling ? scales.largest_roll
+                                   : scales.largest_shift;
   const auto path = [&](double distance, double scale) {
     return e.motion_steps > 0 ? even_path(distance, e.motion_steps)
                               : graded_path(distance, scale * onset, largest);

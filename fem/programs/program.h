@@ -21,6 +21,7 @@ struct MotionScales {
   double full_slip_shift = 0;  ///< at which a smooth contact slips as a whole [m]; 0: frictionless
   double full_slip_angle = 0;  ///< nearly the same of torsion [rad]
   double largest_shift = 0;    ///< of one step [m]
+  double largest_roll = 0;     ///< path rolled in one step [m]
   double largest_angle = 0;    ///< of one step [rad]
   double rolling_radius = 0;   ///< of the particle [m]
   double contact_radius = 0;   ///< of the smooth contact, whose rim has the speed of torsion [m]

@@ -45,8 +45,8 @@ double largest_of(const std::vector<double>& errors) {
 
 fem::MotionScales scales() {
   fem::MotionScales s;
-  s.full_slip_shift = 4, s.full_slip_angle = 0.02, s.largest_shift = 8, s.largest_angle = 0.05,
-  s.rolling_radius = 1000;
+  s.full_slip_shift = 4, s.full_slip_angle = 0.02, s.largest_shift = s.largest_roll = 8,
+  s.largest_angle = 0.05, s.rolling_radius = 1000;
   return s;
 }
 

@@ -20,7 +20,8 @@ ExperimentInput experiment(Motion type) {
 
 MotionScales scales() {
   MotionScales s;
-  s.largest_shift = 10e-9, s.full_slip_shift = 1e-9, s.largest_angle = 0.01, s.full_slip_angle = 0.05;
+  s.largest_shift = s.largest_roll = 10e-9, s.full_slip_shift = 1e-9, s.largest_angle = 0.01,
+  s.full_slip_angle = 0.05;
   s.rolling_radius = 5e-6, s.contact_radius = 200e-9;
   return s;
 }

@@ -238,7 +238,7 @@ TEST(Program_analytic,
   e.type = Motion::rolling;
   e.load_steps = 2, e.unload = false, e.distance = 100, e.reverse = false;
   fem::MotionScales scales;
-  scales.largest_shift = 8, scales.rolling_radius = 1000;
+  scales.largest_shift = scales.largest_roll = 8, scales.rolling_radius = 1000;
   const auto program = fem::make_program(e, scales);
   EXPECT_EQ(program.front().motion.x, -50);
   EXPECT_NEAR(program.back().motion.x, 50, 1e-12);
