@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "core/error.h"
 #include "engines/engine_input.h"
@@ -170,6 +171,17 @@ Outcome outcome_of(const std::vector<std::string>& command, const std::string& f
   return {{std::istreambuf_iterator<char>(log), {}}, std::filesystem::exists(folder.path / "pwned")};
 }
 
+/// Forces that a program printed, one per input.
+std::vector<double> forces_in(const std::string& output) {
+  std::vector<double> forces;
+  const std::string label = "\nforce: ";
+  for (auto at = output.find(label); at != std::string::npos; at = output.find(label, at + 1))
+    forces.push_back(number_after(output.substr(at), label));
+  return forces;
+}
+
+/// All inputs in one run of the program, each after `clear`: a text that swallows or adds a line is missing
+/// its force, or prints another.
 TEST(HostileText_other_code, lammps_and_liggghts_run_what_was_written_and_nothing_more) {
   const Lammps lammps;
   const Liggghts liggghts;
@@ -177,35 +189,39 @@ TEST(HostileText_other_code, lammps_and_liggghts_run_what_was_written_and_nothin
     GTEST_SKIP() << "LAMMPS or LIGGGHTS is not installed: apt-get install lammps liggghts";
   const std::string measured =
       "variable f equal fz[1]\nthermo_style custom step v_f\nrun 0\nprint \"force: ${f}\"\n";
+  std::string for_lammps, for_liggghts;
   for (const auto& text : hostile_texts()) {
-    SCOPED_TRACE(text);
-    const Outcome in_lammps = outcome_of(
-        {find_program("lmp").string(), "-in", "in", "-log", "none"}, "in",
-        "units si\natom_style sphere\natom_modify map array\nboundary f f f\nnewton off\ncomm_modify vel "
-        "yes\n"
+    for_lammps +=
+        "clear\nunits si\natom_style sphere\natom_modify map array\nboundary f f f\nnewton off\ncomm_modify "
+        "vel yes\n"
         "region box block -4e-5 4e-5 -4e-5 4e-5 -1e-7 4e-5\ncreate_box 1 box\nneighbor 1e-6 bin\npair_style "
         "granular\n"
         "pair_coeff * * hertz 1 0 tangential linear_nohistory 0 0\ncreate_atoms 1 single 0 0 8.494e-6\n"
         "set group all diameter 1.7e-5 density 2230\n" +
-            input_with("lammps", text) + measured);
-    const double force = canonical_contact().hertz().force(6e-9);
-    EXPECT_NEAR(number_after(in_lammps.output, "\nforce: ") / force, 1, 1e-5) << in_lammps.output;
-    EXPECT_FALSE(in_lammps.was_attacked);
+        input_with("lammps", text) + measured;
     std::string input = input_with("liggghts", text);
     const auto hard = input.find("hard_particles yes");
     input = input.substr(0, hard) + input.substr(input.find('\n', hard) + 1);
-    const Outcome in_liggghts =
-        outcome_of({find_program("liggghts").string(), "-in", "in", "-log", "none"}, "in",
-                   "hard_particles yes\natom_style granular\natom_modify map array\nboundary f f f\nnewton "
-                   "off\ncommunicate single vel yes\nunits si\n"
-                   "region reg block -2e-5 2e-5 -2e-5 2e-5 -1e-7 4e-5 units box\ncreate_box 2 reg\nneighbor "
-                   "1e-6 bin\nneigh_modify delay 0\n" +
-                       input +
-                       "create_atoms 1 single 0 0 8.494e-6 units box\nset group all diameter 17e-6 density "
-                       "2230\nfix move all nve\n" +
-                       measured);
-    EXPECT_NEAR(number_after(in_liggghts.output, "\nforce: ") / force, 1, 1e-3) << in_liggghts.output;
-    EXPECT_FALSE(in_liggghts.was_attacked);
+    for_liggghts +=
+        "clear\nhard_particles yes\natom_style granular\natom_modify map array\nboundary f f f\nnewton "
+        "off\ncommunicate single vel yes\nunits si\n"
+        "region reg block -2e-5 2e-5 -2e-5 2e-5 -1e-7 4e-5 units box\ncreate_box 2 reg\nneighbor "
+        "1e-6 bin\nneigh_modify delay 0\n" +
+        input +
+        "create_atoms 1 single 0 0 8.494e-6 units box\nset group all diameter 17e-6 density "
+        "2230\nfix move all nve\n" +
+        measured;
+  }
+  const double force = canonical_contact().hertz().force(6e-9);
+  for (const auto& [program, input, tolerance] :
+       {std::tuple{"lmp", for_lammps, 1e-5}, std::tuple{"liggghts", for_liggghts, 1e-3}}) {
+    const Outcome outcome =
+        outcome_of({find_program(program).string(), "-in", "in", "-log", "none"}, "in", input);
+    EXPECT_FALSE(outcome.was_attacked) << program;
+    const std::vector<double> forces = forces_in(outcome.output);
+    ASSERT_EQ(forces.size(), hostile_texts().size()) << outcome.output;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      EXPECT_NEAR(forces[i] / force, 1, tolerance) << program << ": " << hostile_texts()[i];
   }
 }
 

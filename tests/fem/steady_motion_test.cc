@@ -104,6 +104,34 @@ TEST(SteadyRollingNightly_behaviour, of_bodies_of_two_materials_is_what_they_dis
   }
 }
 
+/// Stated on coarse meshes, and in steps of a tenth of the contact radius, against a/h 19 and steps of a/40.
+TEST(SteadyRollingNightly_behaviour, what_coarse_meshes_and_steps_leave_of_two_materials_slip_is_stated) {
+  const auto rolled = [](double friction, double spacing, int steps) {
+    CaseInput c = test::sphere_on_silicon("smooth", "smooth", spacing, 0);
+    c.experiment.type = Motion::rolling;
+    c.experiment.normal_load = 3e-4;
+    c.experiment.load_steps = 4;
+    c.experiment.unload = c.experiment.reverse = false;
+    c.interface.parameters["Friction coefficient"] = friction;
+    c.experiment.distance = 4 * hertz_of(c).contact_radius(c.experiment.normal_load);
+    c.experiment.motion_steps = steps;
+    const test::TemporaryFolder folder;
+    return test::solve_experiment(c, folder.path).result["effective"]["rolling_dissipation"];
+  };
+  for (const double friction : {0.1, 0.5}) {
+    const double fine = rolled(friction, 17.5e-9, 160)["value"];
+    for (const auto& [spacing, steps] : {std::pair{55e-9, 0}, std::pair{35e-9, 0}, std::pair{35e-9, 40}}) {
+      const auto coarse = rolled(friction, spacing, steps);
+      const std::string how = "friction " + std::to_string(friction).substr(0, 3) + ", a/h " +
+                              (spacing > 40e-9 ? "6" : "9") + (steps > 0 ? ", steps of a/10" : "");
+      EXPECT_TRUE(
+          (test::Verified{"Stated errors", "rolling of smooth glass on silicon, " + how,
+                          "a/h 19, steps of a/40"}
+               .below(std::abs(coarse["value"].get<double>() - fine) / coarse["sd"].get<double>(), 2, "sd")));
+    }
+  }
+}
+
 /// Slips as a whole from the fourth step on; on the way back over its own track nothing yields any more.
 TEST(SteadySliding_analytic, is_what_the_first_way_dissipates_and_not_the_mean_of_both) {
   constexpr double load = 1e-4, out = 3e-5, back = 1e-5, step = 1e-9;
