@@ -70,8 +70,8 @@ void chebyshev(benchmark::State& state) {
   Chebyshev smoother;
   smoother.update(scene->single);
   const Vector<float> b = scene->sample<float>();
-  Vector<float> x = scene->vector<float>();
-  for (auto _ : state) smoother.smooth(scene->single, x, b, false);
+  Vector<float> x = scene->vector<float>(), scratch = scene->vector<float>();
+  for (auto _ : state) smoother.smooth(scene->single, x, b, false, scratch);
   count(state, scene->unknowns());
 }
 
