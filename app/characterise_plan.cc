@@ -250,7 +250,7 @@ std::vector<std::string> plan_sentences(const CharacteriseRequest& request, cons
   if (plan.motions.front().half_space_surfaces > 0)
     sentences.push_back(
         std::to_string(plan.motions.front().half_space_surfaces) +
-        " surfaces by half-spaces, which tell the mean of stiffnesses and of the torsion moment");
+        " surfaces by half-spaces, which tell the mean of moduli, stiffnesses and the torsion moment");
   sentences.push_back("about " + wait_text(plan.seconds) + " on two cores, to a factor of two");
   const bool is_least = plan.rung.cells_per_radius == ladder().front().cells_per_radius;
   if (plan.seconds > request.time && is_least)

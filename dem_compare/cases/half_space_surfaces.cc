@@ -36,16 +36,6 @@ bool is_preview(const json& previewed) {
          has("half_spaces", &json::is_object);
 }
 
-json cases_in(const fs::path& file) {
-  const json all = json::parse(read_file(file), nullptr, false);
-  if (!all.is_object() || !all.contains("format") || all["format"] != "asperity-previews/1" ||
-      !all.contains("cases") || !all["cases"].is_array() ||
-      !std::all_of(all["cases"].begin(), all["cases"].end(), is_preview))
-    throw InputError(file.string() +
-                     " holds no previews of a study; 'asperity study --preview' writes it anew");
-  return all["cases"];
-}
-
 /// NaN where the case does not state it.
 double number_of(const json& previewed, const std::string& name) {
   const json& numbers = previewed["half_spaces"];
@@ -53,6 +43,45 @@ double number_of(const json& previewed, const std::string& name) {
   const json& number = numbers[name];
   return number.contains("value") && number["value"].is_number() ? number["value"].get<double>()
                                                                  : std::nan("");
+}
+
+/// What is the same for one surface at all loads.
+std::string key_without_load(const json& previewed) {
+  json values = previewed["values"];
+  values.erase("Normal load");
+  return values.dump() + " " + previewed["realisation"].dump();
+}
+
+/// Hertz' law with an offset through the smallest and the largest load of each surface, into the preview of
+/// the largest: E* but for a factor that all share, [N/m^(3/2)].
+void add_moduli(json& cases) {
+  std::map<std::string, std::pair<json*, json*>> ends;  // smallest and largest load
+  for (json& previewed : cases) {
+    const double force = number_of(previewed, "normal_force");
+    if (!(force > 0)) continue;
+    auto& [low, high] = ends.insert({key_without_load(previewed), {&previewed, &previewed}}).first->second;
+    if (force < number_of(*low, "normal_force")) low = &previewed;
+    if (force > number_of(*high, "normal_force")) high = &previewed;
+  }
+  for (const auto& [key, end] : ends) {
+    const auto force = [](const json& previewed) {
+      return std::pow(number_of(previewed, "normal_force"), 2.0 / 3);
+    };
+    const double pressed = number_of(*end.second, "approach") - number_of(*end.first, "approach"),
+                 slope = (force(*end.second) - force(*end.first)) / pressed;
+    if (pressed > 0) (*end.second)["half_spaces"][modulus_by_half_spaces] = {{"value", std::pow(slope, 1.5)}};
+  }
+}
+
+json cases_in(const fs::path& file) {
+  json all = json::parse(read_file(file), nullptr, false);
+  if (!all.is_object() || !all.contains("format") || all["format"] != "asperity-previews/1" ||
+      !all.contains("cases") || !all["cases"].is_array() ||
+      !std::all_of(all["cases"].begin(), all["cases"].end(), is_preview))
+    throw InputError(file.string() +
+                     " holds no previews of a study; 'asperity study --preview' writes it anew");
+  add_moduli(all["cases"]);
+  return all["cases"];
 }
 
 void require_same_inputs(const json& previewed, const SolvedCase& solved, const fs::path& file) {

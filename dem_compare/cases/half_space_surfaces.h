@@ -19,6 +19,10 @@ struct SolvedNumber {
   double value = 0, sd = 0;  ///< of the case, in the number's unit; sd NaN where it is not known
 };
 
+/// Number of a preview that goes with E* of the surface: from its approaches at the smallest and the largest
+/// load of the study.
+inline constexpr const char* modulus_by_half_spaces = "reduced_modulus";
+
 /// Surfaces beside the solved cases, none where fewer than two of a load were solved by both. name: of the
 /// number in previews.json. The sd of each is that of the solved cases and of the ratio, which all share.
 /// Throws InputError for a previews.json that cannot be read or is of other inputs than the cases beside it.

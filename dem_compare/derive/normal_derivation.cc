@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "dem_compare/cases/half_space_surfaces.h"
 #include "dem_compare/derive/elastoplastic_derivation.h"
 #include "dem_compare/numbers/statistics.h"
 
@@ -33,10 +34,15 @@ std::vector<const ReducedCase*> largest_loads(const std::vector<ReducedCase>& ca
   return chosen;
 }
 
-/// A mean that is at least as uncertain as what it is made of.
-Uncertain mean_of(const std::vector<double>& values, double own_sd) {
+/// Mean of moduli, those of half-spaces included: with what these share beside their scatter, and at least as
+/// uncertain as the fits that it is made of.
+Uncertain mean_of(const std::vector<double>& fitted, double own_sd, const std::vector<CaseNumber>& surfaces) {
+  std::vector<double> values = fitted;
+  for (const CaseNumber& one : surfaces) values.push_back(one.value);
   const Scatter mean = scatter_of(values);
-  return {mean.mean, mean.count > 1 ? std::max(mean.standard_error, own_sd) : own_sd};
+  const double shared =
+      surfaces.empty() ? 0 : surfaces.front().shared_sd / surfaces.front().value * mean.mean;
+  return {mean.mean, mean.count > 1 ? std::max(std::hypot(mean.standard_error, shared), own_sd) : own_sd};
 }
 
 void derive_modulus(const ReducedCases& cases, Derivation& derivation, LawFindings& findings) {
@@ -70,7 +76,11 @@ void derive_modulus(const ReducedCases& cases, Derivation& derivation, LawFindin
                                         {"offset", fit.offset},
                                         {"relative_misfit", fit.misfit}});
   }
-  const Uncertain mean = mean_of(moduli, std::sqrt(errors) / static_cast<double>(used.size()));
+  std::vector<SolvedNumber> solved;
+  for (const auto i : used) solved.push_back({fitted[i]->solved, all[i].load, all[i].value, all[i].sd});
+  const std::vector<CaseNumber> surfaces = by_half_spaces(solved, modulus_by_half_spaces);
+  all.insert(all.end(), surfaces.begin(), surfaces.end());
+  const Uncertain mean = mean_of(moduli, std::sqrt(errors) / static_cast<double>(used.size()), surfaces);
   modulus.value = mean.value, modulus.sd = mean.sd;
   const bool with_offset = fitted.front()->is_rough;
   origin = {{with_offset ? From::hertz_fit_with_offset : From::hertz_fit}, {From::cases, unknown, "", all}};

@@ -40,13 +40,21 @@ class HalfSpaceSurfaces_analytic : public testing::Test {
                          {"values", {{"Normal load", load < 1.5e-5 ? "10 uN" : "20 uN"}}},
                          {"realisation", r},
                          {"inputs_sha256", "inputs of " + name},
-                         {"half_spaces", {{"normal_stiffness", {{"value", stiffness}, {"unit", "N/m"}}}}}});
+                         {"half_spaces",
+                          {{"normal_stiffness", {{"value", stiffness}, {"unit", "N/m"}}},
+                           {"normal_force", {{"value", load}, {"unit", "N"}}},
+                           {"approach", {{"value", approach(load, r)}, {"unit", "m"}}}}}});
         if (r <= 2) add_solved(name, load, (r == 1 ? 1.1 : 1.2) * stiffness);
       }
     file =
         folder.write("study/previews.json", json{{"format", "asperity-previews/1"}, {"cases", cases}}.dump());
   }
   static double value(double load, int r) { return load * 1e8 * (1 + 0.1 * r); }
+  static double modulus(int r) { return 5e10 * (1 + 0.02 * r * r); }
+  /// Hertz' law of a radius of 8.5 um, from where the roughness is pressed flat.
+  static double approach(double load, int r) {
+    return 1e-9 * r + std::cbrt(9 * load * load / (16 * 8.5e-6 * modulus(r) * modulus(r)));
+  }
 
   void add_solved(const std::string& name, double load, double stiffness) {
     SolvedCase solved;
@@ -82,6 +90,29 @@ TEST_F(HalfSpaceSurfaces_analytic, stand_for_the_unsolved_times_the_ratio_of_the
     EXPECT_EQ(number.spacing, 1e-8);
   }
   EXPECT_TRUE(surfaces_beside(set, "torsion_stiffness").empty());
+}
+
+/// Finite elements have 1.05 times the modulus of half-spaces; how far each surface's roughness gives way
+/// first drops out.
+TEST_F(HalfSpaceSurfaces_analytic,
+       tell_the_modulus_by_their_approaches_at_the_smallest_and_the_largest_load) {
+  std::vector<SolvedNumber> fitted;
+  for (const int r : {1, 2}) {
+    const SolvedCase& solved = set.cases[static_cast<std::size_t>(1 + r)];  // at 20 uN
+    fitted.push_back({&solved, 2e-5, 1.05 * modulus(r), 0});
+  }
+  const auto numbers = by_half_spaces(fitted, modulus_by_half_spaces);
+  ASSERT_EQ(numbers.size(), 3u);
+  for (const auto& number : numbers) {
+    const int r = std::stoi(number.realisation.substr(number.realisation.find(' ')));
+    EXPECT_NEAR(number.value / (1.05 * modulus(r)), 1, 1e-9);
+    EXPECT_NEAR(number.shared_sd / number.value, 0, 1e-9);
+    EXPECT_EQ(number.load, 2e-5);
+  }
+  // At the smallest load nothing is told.
+  EXPECT_TRUE(
+      by_half_spaces({{&set.cases[0], 1e-5, 1, 0}, {&set.cases[1], 1e-5, 1, 0}}, modulus_by_half_spaces)
+          .empty());
 }
 
 TEST_F(HalfSpaceSurfaces_analytic, take_two_solved_surfaces_and_previews_of_the_same_inputs) {
