@@ -11,8 +11,8 @@
 //   and of a coarse mesh, or a contact of few spots, one node is more than 2 %. A twentieth of the area about
 //   the axis has a hundredth of the moment under an even pressure (0.05^(3/2)), a fiftieth under Hertz'.
 // - rolling: after a path length of two contact radii, when the contact that was pressed has been left, with
-//   its slip and tractions. Smooth glass on silicon then dissipates 1.2 times what it does for good under a
-//   friction of 0.5, and as much as for good under 0.1; after one radius 4.6 and 1.3 times.
+//   its slip and tractions. Smooth glass on silicon then dissipates 1.4 times what it does for good under a
+//   friction of 0.5, and as much as for good under 0.1; after one radius 9 and 1.4 times.
 // The resistance is the energy dissipated per path length or angle on the first pass, over surfaces not yet
 // passed. The force has a conservative topographic part as well, which averages out over a long path only and
 // dominates the mean force of a short one. Where a history has no energies, the mean force of all steady legs

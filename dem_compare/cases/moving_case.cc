@@ -81,8 +81,7 @@ std::string seeds_of(const SolvedCase& solved) {
 
 Uncertain SteadyPath::resistance() const {
   if (!std::isfinite(dissipated.total.value)) return force;
-  const Uncertain& total = dissipated.total;
-  return {total.value, std::hypot(total.sd, unbalanced), total.degrees_of_freedom};
+  return with_stated_error(dissipated.total, unbalanced);
 }
 
 Uncertain SteadyPath::of(DissipationPart part) const {

@@ -73,6 +73,14 @@ Uncertain mean_of_blocks(const std::vector<double>& values) {
   return {mean.mean, mean.standard_error * student_factor(degrees), degrees};
 }
 
+Uncertain with_stated_error(const Uncertain& mean, double error) {
+  if (!std::isfinite(mean.degrees_of_freedom)) return {mean.value, std::hypot(mean.sd, error)};
+  const double scatter = mean.sd / student_factor(mean.degrees_of_freedom), both = std::hypot(scatter, error);
+  if (!(scatter > 0)) return {mean.value, both};
+  const double degrees = mean.degrees_of_freedom * std::pow(both / scatter, 4);
+  return {mean.value, both * student_factor(degrees), degrees};
+}
+
 std::vector<Uncertain> with_shared_degrees_of_freedom(std::vector<Uncertain> means) {
   double variances = 0, per_degree = 0;
   for (auto& mean : means) {

@@ -33,6 +33,10 @@ double student_factor(double degrees_of_freedom);
 /// that of the mean, widened by Student's factor. Unknown for fewer than two.
 Uncertain mean_of_blocks(const std::vector<double>& values);
 
+/// The mean with an error beside its scatter, a standard deviation in its unit that is stated and not
+/// estimated: added in quadrature, and no widening of its own (Satterthwaite 1946).
+Uncertain with_stated_error(const Uncertain& mean, double error);
+
 /// The same means, each widened by the factor of the degrees of freedom that they have together (Welch 1947;
 /// Satterthwaite 1946) and no longer by its own: three paths of four blocks tell their common mean by nine
 /// and not by three. For what is made of all of them.

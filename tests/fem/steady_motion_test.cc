@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/hertz.h"
+#include "fem/case/case_setup.h"
 #include "tests/fem/support/solved_experiment.h"
 #include "tests/fem/support/sphere_on_silicon.h"
 #include "tests/support/temporary_folder.h"
@@ -102,6 +103,22 @@ TEST(SteadyRollingNightly_behaviour, of_bodies_of_two_materials_is_what_they_dis
                                 "the same contact, later"}
                      .below(100 * (said / late - 1), asked, " %")));
   }
+}
+
+TEST(RollingSteps_analytic, are_a_twentieth_of_the_contact_radius_where_smooth_bodies_of_two_materials_slip) {
+  CaseInput c = test::sphere_on_silicon("smooth", "smooth", 35e-9, 0);
+  c.experiment.type = Motion::rolling;
+  c.experiment.normal_load = 3e-4;
+  c.interface.parameters["Friction coefficient"] = 0.3;
+  const double a = hertz_of(c).contact_radius(c.experiment.normal_load);
+  EXPECT_NEAR(set_up(c).motion.largest_roll, a / 20, 1e-6 * a);
+  EXPECT_NEAR(set_up(c).motion.largest_shift, 35e-9, 1e-15);
+  CaseInput equal = c, frictionless = c;
+  equal.substrate.youngs_modulus = c.particle.youngs_modulus;
+  equal.substrate.poisson_ratio = c.particle.poisson_ratio;
+  frictionless.interface.parameters["Friction coefficient"] = 0;
+  for (const CaseInput& one : {equal, frictionless})
+    EXPECT_NEAR(set_up(one).motion.largest_roll, 35e-9, 1e-15);
 }
 
 /// Stated on coarse meshes, and in steps of a tenth of the contact radius, against a/h 19 and steps of a/40.

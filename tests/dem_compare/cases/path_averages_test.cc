@@ -73,6 +73,19 @@ TEST(Stretches_analytic, two_sds_of_the_mean_over_few_paths_hold_the_truth_19_ti
   EXPECT_GT(within_own, 0.985 * repetitions);
 }
 
+/// What the energy balance leaves open is no scatter of few blocks: however many paths share it, it stays.
+TEST(Stretches_analytic, a_stated_error_is_not_widened_and_does_not_shrink_when_paths_share) {
+  const Uncertain mean{1, 0.01 * student_factor(3), 3};
+  const Uncertain open = with_stated_error(mean, 0.1);  // ten times the scatter
+  EXPECT_NEAR(open.sd, std::hypot(0.01, 0.1), 1e-4);
+  for (const Uncertain& one : with_shared_degrees_of_freedom({open, open, open}))
+    EXPECT_NEAR(one.sd, std::hypot(0.01, 0.1), 1e-4);
+  // None: the mean as it was. As large as the scatter: 3 * 2^(4/2) degrees of freedom, t of 95.45 % 2.231.
+  EXPECT_DOUBLE_EQ(with_stated_error(mean, 0).sd, mean.sd);
+  EXPECT_NEAR(with_stated_error(mean, 0.01).sd, 0.01 * std::sqrt(2) * 2.231 / 2, 2e-5);
+  EXPECT_DOUBLE_EQ(with_stated_error({1, 0.3}, 0.4).sd, 0.5);
+}
+
 TEST(Stretches_analytic, means_share_degrees_of_freedom_after_welch_and_satterthwaite) {
   // Equal ones of 3 degrees each: 9 together. t of 95.45 %: 3.307 for 3, 2.320 for 9.
   const double own = 3.307 / 2, together = 2.320 / 2;
