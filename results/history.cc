@@ -7,6 +7,12 @@
 #include "core/error.h"
 
 namespace asperity {
+namespace {
+
+/// Of the largest force: solved to about 1e-6 of the load, so smaller changes are a hold.
+constexpr double force_noise = 1e-5;
+
+}  // namespace
 
 const std::vector<HistoryColumn>& history_columns() {
   using Columns = HistoryColumns<std::vector<double>>;
@@ -107,14 +113,27 @@ std::string format_history(const History& history) {
   return format_csv(names, columns);
 }
 
+std::size_t row_of_largest_load(const std::vector<double>& normal_force) {
+  if (normal_force.empty()) return 0;
+  const auto largest = std::max_element(normal_force.begin(), normal_force.end());
+  const double reached = *largest - force_noise * std::abs(*largest);
+  const auto first =
+      std::find_if(normal_force.begin(), largest, [&](double force) { return force >= reached; });
+  return static_cast<std::size_t>(first - normal_force.begin());
+}
+
+const HistoryRow& at_largest_load(const std::vector<HistoryRow>& rows) {
+  std::vector<double> forces;
+  for (const HistoryRow& row : rows) forces.push_back(row.normal_force);
+  return rows.at(row_of_largest_load(forces));
+}
+
 std::vector<HistoryBranch> history_branches(const History& history) {
   using Kind = HistoryBranch::Kind;
   const auto& force = history.normal_force;
   std::vector<HistoryBranch> branches;
   if (force.size() < 2) return branches;
-  // Solved to about 1e-6 of the load: smaller changes are a hold.
-  constexpr double noise_share = 1e-5;
-  const double noise = noise_share * *std::max_element(force.begin(), force.end());
+  const double noise = force_noise * *std::max_element(force.begin(), force.end());
   for (std::size_t i = 1; i < force.size(); ++i) {
     const double change = force[i] - force[i - 1];
     const Kind kind = std::abs(change) <= noise ? Kind::hold : change > 0 ? Kind::loading : Kind::unloading;

@@ -103,6 +103,12 @@ History read_history(const std::filesystem::path& file, const std::vector<std::s
 /// others only those that are not.
 std::string format_history(const History& history);
 
+/// Row at which the largest load is reached. Those that follow under the same load, held or moved, differ
+/// from it by what the solver leaves of a force (about 1e-6): the first within 1e-5 of the largest counts,
+/// the contact that is loaded and has not yet moved. 0 for no rows.
+std::size_t row_of_largest_load(const std::vector<double>& normal_force);
+const HistoryRow& at_largest_load(const std::vector<HistoryRow>& rows);
+
 /// Successive steps in which the load grows, falls or stays; the turning points belong to both neighbours.
 struct HistoryBranch {
   enum class Kind { loading, unloading, hold } kind = Kind::loading;

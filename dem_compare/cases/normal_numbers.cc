@@ -188,9 +188,7 @@ NormalNumbers normal_numbers(const History& history, const Hertz& hertz, double 
   NormalNumbers numbers;
   numbers.residual_imprint = unknown;
   if (history.size() == 0) return numbers;
-  const auto largest =
-      static_cast<std::size_t>(std::max_element(history.normal_force.begin(), history.normal_force.end()) -
-                               history.normal_force.begin());
+  const std::size_t largest = row_of_largest_load(history.normal_force);
   numbers.largest_force = history.normal_force[largest];
   numbers.approach_there = history.normal_displacement[largest];
   numbers.plastic_volume = history.plastic_volume.back();

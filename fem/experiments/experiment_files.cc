@@ -115,9 +115,7 @@ void ContactExperiment::write_step() {
 
 void ContactExperiment::say_load_steps() const {
   constexpr double small = 0.005;  // of the approach, as much as a fine mesh leaves
-  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
-    return a.normal_force < b.normal_force;
-  });
+  const HistoryRow& peak = at_largest_load(records_);
   const double share = peak.normal_displacement > 0 ? peak.load_step_error / peak.normal_displacement : 0;
   if (share <= small) return;
   const int enough = static_cast<int>(std::ceil(input_.experiment.load_steps * share / small));
@@ -140,9 +138,7 @@ void ContactExperiment::write_result() {
   summary.unknowns = most_unknowns_;
   summary.contact_nodes = static_cast<long>(system_->rows().size());
   summary.stiffness = stiffness_;
-  const auto& peak = *std::max_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
-    return a.normal_force < b.normal_force;
-  });
+  const HistoryRow& peak = at_largest_load(records_);
   double tension = 0;
   for (const auto& row : records_) tension = std::max(tension, -row.normal_force);
   if (speaks()) summary.half_space = half_space_check(input_, setup_, peak, tension);

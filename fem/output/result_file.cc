@@ -170,9 +170,10 @@ json additions() {
 
 std::string result_json(const CaseInput& input, const CaseSetup& setup,
                         const std::vector<HistoryRow>& records, const ResultSummary& s) {
-  const auto by_force = [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; };
-  const HistoryRow& peak = *std::max_element(records.begin(), records.end(), by_force);
-  const HistoryRow& least = *std::min_element(records.begin(), records.end(), by_force);
+  const HistoryRow& peak = at_largest_load(records);
+  const HistoryRow& least =
+      *std::min_element(records.begin(), records.end(),
+                        [](const auto& a, const auto& b) { return a.normal_force < b.normal_force; });
   const double wave =
       std::min(setup.roughness[0].scales.shortest_wave, setup.roughness[1].scales.shortest_wave);
   const DiscretisationError error(

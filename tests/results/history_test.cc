@@ -100,5 +100,13 @@ TEST(HistoryBranches_analytic, are_cut_where_the_load_turns_and_hold_where_it_st
   }
 }
 
+// A contact that moves under its largest load: round-off decides which of its rows has the largest force.
+TEST(History_behaviour, the_largest_load_is_where_it_is_first_reached) {
+  EXPECT_EQ(row_of_largest_load({1, 2, 3, 3.000003, 3.000006, 2.999999, 1}), 2U);
+  EXPECT_EQ(row_of_largest_load({1, 2.9, 3, 2}), 2U);
+  EXPECT_EQ(row_of_largest_load({-3, -1, -1.000001, -2}), 1U);
+  EXPECT_EQ(row_of_largest_load({}), 0U);
+}
+
 }  // namespace
 }  // namespace asperity
