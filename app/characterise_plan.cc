@@ -10,7 +10,6 @@
 #include "core/hertz.h"
 #include "core/printed.h"
 #include "core/quantity.h"
-#include "core/wait_text.h"
 #include "fem/preview_case.h"
 
 namespace asperity {
@@ -28,13 +27,6 @@ const std::vector<Rung>& ladder() {
 }
 
 std::string text_of(double value, Dimension dimension) { return format_quantity(value, dimension, 4); }
-
-Hertz smooth_contact(const CharacteriseRequest& request) {
-  const auto body = [](const Material& material) {
-    return ElasticBody{material.youngs_modulus.value, material.poisson_ratio};
-  };
-  return {reduced_modulus(body(request.particle.material), body(request.substrate)), request.particle.radius};
-}
 
 /// One in the geometric middle, or the ends and what lies evenly between in the logarithm.
 std::vector<double> loads_of(const std::vector<double>& ends, int count) {
@@ -106,11 +98,15 @@ std::vector<PlannedMotion> motions_of(const CharacteriseRequest& request, double
     return Entries{{"Distance", text_of(radii * contact_radius, Dimension::length)}, {"Motion steps", steps}};
   };
   for (const double friction : request.friction) {
-    Entries there{{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "false"}};
-    const Entries torsion = there;
+    const Entries torsion{{"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "false"}};
+    // Friction is known to a per cent after that: the time is for what rolls.
+    constexpr double slid_radii = 3;
+    Entries there = torsion;
     Entries there_and_back{
         {"Load steps", "4"}, {"Unload", "false"}, {"Reverse", "true"}, {"Return distance", back}};
-    if (request.quick) {
+    if (!request.quick)
+      there.emplace_back("Distance", text_of(slid_radii * contact_radius, Dimension::length));
+    else {
       // Rolling is steady a radius later.
       for (auto& entry : quick_path(3.5, "24")) there.push_back(entry);
       for (auto& entry : quick_path(4.5, "31")) there_and_back.push_back(entry);
@@ -135,16 +131,27 @@ double seconds_of(const CharacterisePlan& plan, const PlannedMotion& motion) {
   return seconds / at_a_time;
 }
 
-/// More surfaces under normal load alone, as the time allows: scatter over the surface is what their numbers
-/// are known to.
-void add_pressed(CharacterisePlan& plan, double time) {
-  constexpr int most_pressed = 10;
-  const double each = seconds_of(plan, plan.motions.front());
-  while (plan.rung.pressed < most_pressed && plan.seconds + each <= time) {
-    ++plan.rung.pressed;
+/// One more surface for some of the motions, up to `most`, as long as the time allows.
+template <class Chosen>
+void add_realisations(CharacterisePlan& plan, double time, int most, const Chosen& is_chosen) {
+  std::vector<PlannedMotion*> chosen;
+  double each = 0;
+  for (PlannedMotion& motion : plan.motions)
+    if (is_chosen(motion)) chosen.push_back(&motion), each += seconds_of(plan, motion);
+  while (chosen.front()->realisations < most && plan.seconds + each <= time) {
+    for (PlannedMotion* motion : chosen) ++motion->realisations;
     plan.seconds += each;
-    plan.cases += static_cast<int>(plan.loads.size());
+    plan.cases += static_cast<int>(chosen.size() * plan.loads.size());
   }
+}
+
+/// What rolls scatters most from surface to surface, and what is only pressed costs least.
+void add_realisations(CharacterisePlan& plan, double time) {
+  constexpr int most_rolled = 6, most_pressed = 10;
+  add_realisations(plan, time, most_rolled,
+                   [](const PlannedMotion& motion) { return motion.label.rfind("rolling", 0) == 0; });
+  add_realisations(plan, time, most_pressed,
+                   [](const PlannedMotion& motion) { return motion.label == "normal"; });
 }
 
 /// Surfaces by half-spaces: of normal load for the stiffnesses, and of torsion for its moment where all
@@ -185,37 +192,12 @@ CharacterisePlan plan_at(const Rung& rung, const CharacteriseRequest& request, c
   const bool drawn =
       from_spectrum(substrate, request.surface) || (particle && from_spectrum(*particle, request.surface));
   if (!drawn) plan.rung.realisations = 1;
-  plan.rung.pressed = plan.rung.realisations;
   plan.base = base_of(request, plan, substrate, particle);
   plan.motions = motions_of(request, widest);
+  for (PlannedMotion& motion : plan.motions) motion.realisations = plan.rung.realisations;
   plan.cases = static_cast<int>(plan.loads.size() * plan.motions.size()) * plan.rung.realisations;
   for (const auto& motion : plan.motions) plan.seconds += seconds_of(plan, motion) * plan.rung.realisations;
   return plan;
-}
-
-std::string rung_text(const Rung& rung) {
-  return std::to_string(rung.loads) + (rung.loads == 1 ? " load, " : " loads, ") +
-         std::to_string(rung.realisations) + (rung.realisations == 1 ? " realisation" : " realisations") +
-         (rung.pressed > rung.realisations ? " (" + std::to_string(rung.pressed) + " under normal load alone)"
-                                           : "") +
-         printed(", at least %g cells over the contact radius", rung.cells_per_radius);
-}
-
-/// Where attraction acts in a zone at the edges of contacts that the plan's cells do not resolve; empty where
-/// they do.
-std::string unresolved_attraction(const CharacteriseRequest& request, const CharacterisePlan& plan) {
-  if (!request.adhesion) return "";
-  constexpr double cells = cells_over_attraction_zone;
-  const auto [work, range] = *request.adhesion;
-  // The exponential law's stress at contact is w / range.
-  const double zone = attraction_zone(smooth_contact(request).reduced_modulus, work, work / range);
-  if (zone >= cells * plan.spacing) return "";
-  return "attraction over " + format_quantity(range, Dimension::length) + " acts in a zone of " +
-         format_quantity(zone, Dimension::length) +
-         " at the edges of contacts, which these cells do not resolve: pull-off force and adhesive rolling "
-         "resistance will be too large, and say by how much; a range of " +
-         format_quantity(range * std::sqrt(cells * plan.spacing / zone), Dimension::length, 2) +
-         " is resolved";
 }
 
 }  // namespace
@@ -223,6 +205,7 @@ std::string unresolved_attraction(const CharacteriseRequest& request, const Char
 CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan& substrate,
                          const std::optional<MeasuredScan>& particle) {
   CharacterisePlan plan = plan_at(ladder().front(), request, substrate, particle);
+  plan.is_least = true;
   for (std::size_t i = 1; i < ladder().size(); ++i) {
     const CharacterisePlan dearer = plan_at(ladder()[i], request, substrate, particle);
     if (request.quick || dearer.seconds > request.time) {
@@ -233,55 +216,9 @@ CharacterisePlan plan_of(const CharacteriseRequest& request, const MeasuredScan&
   }
   if (!request.quick && plan.rung.realisations > 1) {
     add_half_spaces(plan, request.adhesion.has_value(), request.time);
-    add_pressed(plan, request.time);
+    add_realisations(plan, request.time);
   }
   return plan;
-}
-
-std::vector<std::string> plan_sentences(const CharacteriseRequest& request, const CharacterisePlan& plan) {
-  std::vector<std::string> sentences;
-  std::string loads;
-  for (const double load : plan.loads)
-    loads += (loads.empty() ? "" : ", ") + format_quantity(load, Dimension::force);
-  sentences.push_back(std::to_string(plan.cases) +
-                      " cases by finite elements: normal load, sliding, rolling and torsion at " + loads +
-                      "; " + rung_text(plan.rung) + ", nodes every " +
-                      format_quantity(plan.spacing, Dimension::length));
-  if (plan.motions.front().half_space_surfaces > 0)
-    sentences.push_back(
-        std::to_string(plan.motions.front().half_space_surfaces) +
-        " surfaces by half-spaces, which tell the mean of moduli, stiffnesses and the torsion moment");
-  sentences.push_back("about " + wait_text(plan.seconds) + " on two cores, to a factor of two");
-  const bool is_least = plan.rung.cells_per_radius == ladder().front().cells_per_radius;
-  if (plan.seconds > request.time && is_least)
-    sentences.push_back("that is more than the " + wait_text(request.time) +
-                        " that were asked for; it is the least that gives these numbers");
-  if (plan.next)
-    sentences.push_back("the next finer plan (" + rung_text(*plan.next) + ") takes about " +
-                        wait_text(plan.next_seconds));
-  if (!request.friction_is_known && request.friction.size() == 1)
-    sentences.push_back(
-        printed("local friction is not known, only an experiment tells it (--friction): quickly solved at "
-                "%.2g alone, resistances may be twice as large or half",
-                request.friction.front()));
-  else if (!request.friction_is_known)
-    sentences.push_back(printed(
-        "local friction is not known, only an experiment tells it (--friction): solved at %g and at %g, "
-        "and the answer lies between",
-        request.friction.front(), request.friction.back()));
-  if (!request.adhesion)
-    sentences.push_back(
-        "no work of adhesion is given (--adhesion \"77 mJ/m^2, 1 nm\"): pull-off force and adhesive rolling "
-        "resistance will not be known");
-  if (const std::string text = unresolved_attraction(request, plan); !text.empty()) sentences.push_back(text);
-  if (plan.rung.realisations == 1)
-    sentences.push_back(
-        "one realisation: the scatter over the surface will not be known, and no interval holds it");
-  if (request.quick)
-    sentences.push_back("short paths in long steps: resistances are of the right order, not more");
-  if (plan.loads.size() == 1)
-    sentences.push_back("one load: offsets of the resistances and growth with the load will not be known");
-  return sentences;
 }
 
 }  // namespace asperity

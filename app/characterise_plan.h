@@ -17,13 +17,13 @@ struct Rung {
       0;             ///< of the smooth contact at the lowest load: contact radius over spacing, at least [-]
   double waves = 0;  ///< roll-off of the spectrum over the shortest wave, at least [-]
   int loads = 1, realisations = 1;
-  int pressed = 1;  ///< realisations under normal load alone, which cost least and tell the stiffnesses
 };
 
 /// One way of motion with its entries, solved at each load and for each realisation.
 struct PlannedMotion {
   std::string label;            ///< "rolling", "sliding, local friction 0.1"
   Settings settings;            ///< entries of the case file
+  int realisations = 1;         ///< those of the rung, or more where the time allows
   int half_space_surfaces = 0;  ///< realisations by half-spaces, which tell what few solved ones do not
 };
 
@@ -35,7 +35,8 @@ struct CharacterisePlan {
   Settings base;              ///< entries that all cases have
   std::vector<PlannedMotion> motions;
   int cases = 0;
-  double seconds = 0;  ///< on two cores, to a factor of two [s]
+  double seconds = 0;     ///< on two cores, to a factor of two [s]
+  bool is_least = false;  ///< the lowest rung
   /// What the next rung would be and take, where there is one [s].
   std::optional<Rung> next;
   double next_seconds = 0;

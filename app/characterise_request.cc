@@ -90,6 +90,13 @@ ScanParameters scan_of(const std::string& file, const CharacteriseArguments& arg
 
 }  // namespace
 
+Hertz smooth_contact(const CharacteriseRequest& request) {
+  const auto body = [](const Material& material) {
+    return ElasticBody{material.youngs_modulus.value, material.poisson_ratio};
+  };
+  return {reduced_modulus(body(request.particle.material), body(request.substrate)), request.particle.radius};
+}
+
 CharacteriseRequest request_of(const CharacteriseArguments& arguments) {
   if (arguments.scans.empty() || arguments.scans.size() > 2)
     throw InputError("characterise takes one scan, of the substrate, or two, the second of the particle");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/materials.h"
+#include "core/hertz.h"
 #include "core/topography_spec.h"
 
 namespace asperity {
@@ -49,6 +50,9 @@ struct CharacteriseRequest {
   double time = 1200;      ///< for solving [s]
   bool quick = false;
 };
+
+/// The particle on the substrate, both smooth.
+Hertz smooth_contact(const CharacteriseRequest& request);
 
 /// Throws InputError naming the argument that cannot be meant.
 CharacteriseRequest request_of(const CharacteriseArguments& arguments);

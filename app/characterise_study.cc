@@ -41,8 +41,8 @@ std::string text_of_study(const CharacterisePlan& plan, const std::vector<Planne
 
 std::string study_text(const CharacterisePlan& plan) {
   std::vector<std::pair<std::string, int>> own;
-  if (plan.rung.pressed > plan.rung.realisations)
-    own.emplace_back(plan.motions.front().label, plan.rung.pressed);
+  for (const PlannedMotion& motion : plan.motions)
+    if (motion.realisations > plan.rung.realisations) own.emplace_back(motion.label, motion.realisations);
   return text_of_study(plan, plan.motions, own);
 }
 

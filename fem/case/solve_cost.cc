@@ -49,8 +49,9 @@ SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yi
   // Meshing, first touch and the far field, then each step: medians of the 174 cases of
   // runs/paper/motions.prm on one core of 2026, 5e4 to 2e5 unknowns. Of yielding bodies 2.9 us a step that
   // spins, 4.7 us one that rolls or slides (6.6 us where it slides on 20 nm, 9 us with half the yield
-  // stresses), of elastic ones 2.7 to 4.5 us.
-  constexpr double before = 10e-6, elastic_step = 4.2e-6, yielding_step = 5e-6;
+  // stresses), of elastic ones 2.7 to 4.5 us. Two cases side by side, 17 nm, 30 and 300 uN: 5 us where they
+  // are pressed or spin, 5.6 to 7.2 us where they roll or slide.
+  constexpr double before = 10e-6, elastic_step = 4.2e-6, yielding_step = 5e-6, yielding_path_step = 6.5e-6;
   const auto program = make_program(input.experiment, setup.motion);
   SolveCost cost;
   cost.unknowns = bulk + estimated_unknowns(setup.system.mesh.sizes, input.mesh.layers) *
@@ -58,7 +59,10 @@ SolveCost estimated_cost(const CaseInput& input, const CaseSetup& setup, bool yi
   cost.memory = estimated_memory(cost.unknowns, relaxes(input));
   cost.steps = static_cast<int>(program.size());
   const bool is_inelastic = yields || relaxes(input);
-  cost.seconds = cost.unknowns * (before + cost.steps * (is_inelastic ? yielding_step : elastic_step));
+  const Motion motion = input.experiment.type;
+  const bool has_path = motion == Motion::sliding || motion == Motion::rolling;
+  const double step = !is_inelastic ? elastic_step : has_path ? yielding_path_step : yielding_step;
+  cost.seconds = cost.unknowns * (before + cost.steps * step);
   return cost;
 }
 
