@@ -45,7 +45,9 @@ std::string kratos_input(InputNotes& notes) {
   nlohmann::ordered_json json;
   for (const auto& line : notes.lines()) json["asperity_notes"].push_back(printable(line));
   json["asperity_notes"].push_back(
-      "'asperity_notes' is no key of Kratos: take it out where it is in the way.");
+      "'asperity_notes' is no key of Kratos: take it out where it is in the way. 'material_relations' has "
+      "this pair alone; every other pair that can meet, and 'material_assignation_table', which says what "
+      "is of which material, are yours.");
   const auto material = [&](const std::string& name, int id, const ContactBody& body) {
     nlohmann::ordered_json variables;
     if (body.density > 0) variables["PARTICLE_DENSITY"] = body.density;

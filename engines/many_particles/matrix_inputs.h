@@ -27,7 +27,7 @@ std::string mercurydpm_luding_matrix(const MaterialMatrix& matrix);
 std::string mercurydpm_matrix(const MaterialMatrix& matrix);
 /// MaterialsDEM.json with all relations. Throws InputError for a material without E or nu.
 std::string kratos_matrix(const MaterialMatrix& matrix);
-/// Compounds and interactions as a list to type in.
+/// Lines for a job script: properties of compounds and interactions.
 std::string musen_matrix(const MaterialMatrix& matrix);
 
 }  // namespace asperity

@@ -253,7 +253,7 @@ TEST(EngineInput_analytic, coefficients_carry_the_lever_arms_of_each_engine) {
       1, 1e-9);
   EXPECT_NEAR(number("yade", "maxBendPl = "), C_ro, 1e-16);
   EXPECT_NEAR(number("kratos", "\"ROLLING_FRICTION\": "), C_ro / R, 1e-9);
-  EXPECT_NEAR(number("musen", "\nRolling friction [-] "), C_ro / R, 1e-9);
+  EXPECT_NEAR(number("musen", "\nINTERACTION_PROPERTY ROLLING_FRICTION KEY_1 KEY_2 "), C_ro / R, 1e-9);
 
   // Two equal spheres: R_e = R/2, twice that in MercuryDPM's torsion, the smaller radius in Kratos.
   p.target.radius = R;
