@@ -16,12 +16,14 @@ struct ElasticBody {
   double poisson_ratio = 0;   ///< nu [-]
 };
 
+/// E/(1 - nu^2), which is E* of a body against a rigid one [Pa].
+inline double modulus_alone(const ElasticBody& body) {
+  return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
+}
+
 /// E* [Pa]
 inline double reduced_modulus(const ElasticBody& one, const ElasticBody& other) {
-  const auto compliance = [](const ElasticBody& body) {
-    return (1 - body.poisson_ratio * body.poisson_ratio) / body.youngs_modulus;
-  };
-  return 1 / (compliance(one) + compliance(other));
+  return 1 / (1 / modulus_alone(one) + 1 / modulus_alone(other));
 }
 
 /// Stresses on the axis of symmetry over the peak pressure p0, tension positive (Johnson 1985, eq. 3.45).

@@ -57,7 +57,7 @@ RelaxingPart as_one_part(const RelaxingModulus& modulus) {
 RelaxingPart relaxing_shear(const ElasticBody& relaxing, const RelaxingPart& pair, const ElasticBody& other) {
   const double G = shear_modulus(relaxing), K = bulk_modulus(relaxing);
   const double fast = reduced_modulus(relaxing, other), slow = (1 - pair.share) * fast;
-  const double of_other = (1 - other.poisson_ratio * other.poisson_ratio) / other.youngs_modulus;
+  const double of_other = 1 / modulus_alone(other);
   const double indented = 1 / (1 / slow - of_other), left = shear_of(indented, K);
   // Slow loading: E* = slow + share tau fast d/dt, the body's M = indented + dM/dG (G - left) tau d/dt.
   const double slope = indented * indented * (1 / (4 * left * left) + 0.75 / std::pow(3 * K + left, 2));

@@ -14,11 +14,6 @@
 
 namespace asperity::half_space {
 
-/// E/(1 - nu^2), which is E* of a body against a rigid one [Pa].
-inline double modulus_alone(const ElasticBody& body) {
-  return body.youngs_modulus / (1 - body.poisson_ratio * body.poisson_ratio);
-}
-
 /// An elastic film on an elastic body.
 struct FilmOnBody {
   ElasticBody film, body;

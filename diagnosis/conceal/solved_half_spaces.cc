@@ -59,7 +59,7 @@ std::unique_ptr<NormalTruth> rough_half_spaces(const ElasticBody& sphere, const 
 std::unique_ptr<NormalTruth> coated_half_spaces(const ElasticBody& sphere, const ElasticBody& plane,
                                                 double radius, double modulus_ratio, double thickness,
                                                 double largest_force) {
-  const double of_plane = half_space::modulus_alone(plane),
+  const double of_plane = modulus_alone(plane),
                of_film = 1 / (1 / (modulus_ratio * reduced_modulus(sphere, plane)) - 1 / of_plane);
   CaseInput input = smooth_case(sphere, plane, radius);
   FilmInput& film = input.particle.film;

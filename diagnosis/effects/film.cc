@@ -12,8 +12,6 @@
 namespace asperity {
 namespace {
 
-using half_space::modulus_alone;
-
 class CoatedContact : public NormalContact {
  public:
   CoatedContact(const Hertz& law, FilmedLaw::Curve curve, double thickness)

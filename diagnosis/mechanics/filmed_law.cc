@@ -10,8 +10,6 @@
 namespace asperity {
 namespace {
 
-using half_space::modulus_alone;
-
 constexpr double contrast_step = 0.35;  // of ln E_film/E_body
 /// Of ln(d R/t^2): contacts from a fiftieth of the thickness to a thousand of it wide.
 constexpr double first_reach = -7.8, reach_step = 0.5;

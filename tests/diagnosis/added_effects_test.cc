@@ -58,9 +58,9 @@ TEST(Film_analytic, is_the_contact_of_a_sphere_with_a_film_on_the_softer_body) {
   for (const double ratio : {0.013, 0.1, 0.7, 2.0, 3.4}) {
     const Mechanics m = with_effect("film", {ratio, thickness});
     const ElasticBody glass = m.experiment.particle, silicon = m.experiment.substrate;
-    ASSERT_LT(half_space::modulus_alone(glass), half_space::modulus_alone(silicon));
+    ASSERT_LT(modulus_alone(glass), modulus_alone(silicon));
     const double E = m.geometry.reduced_modulus, R = m.geometry.radius, nu = glass.poisson_ratio,
-                 film = 1 / (1 / (ratio * E) - 1 / half_space::modulus_alone(silicon));
+                 film = 1 / (1 / (ratio * E) - 1 / modulus_alone(silicon));
     const half_space::FilmedSphere exact(E, {{{film * (1 - nu * nu), nu}, glass, thickness}});
     for (const double a : {0.005, 0.05, 0.4, 1.3, 7.0, 60.0, 800.0}) {
       const auto contact = exact.at(a * thickness, R);
