@@ -10,6 +10,7 @@
 #include "core/atomic_file.h"
 #include "core/double_sampling.h"
 #include "core/error.h"
+#include "dem_compare/cases/path_averages.h"
 #include "dem_compare/numbers/statistics.h"
 
 namespace asperity {
@@ -129,7 +130,8 @@ std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, 
   for (const Cell& cell : cells_of(solved, name, previews)) {
     if (cell.elements.size() < 2) continue;
     const MethodRatio both = method_ratio(cell.half_spaces, cell.elements);
-    const double of_ratio = both.sd / scatter_of(cell.elements).mean,
+    const auto degrees = static_cast<double>(cell.elements.size() - 1);
+    const double of_ratio = student_factor(degrees) * both.sd / scatter_of(cell.elements).mean,
                  of_cases = cell.relative_sds.empty() ? 0 : scatter_of(cell.relative_sds).mean;
     for (const json& previewed : previews[cell.previews]) {
       const double value = both.ratio * number_of(previewed, name);

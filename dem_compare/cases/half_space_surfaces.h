@@ -24,7 +24,8 @@ struct SolvedNumber {
 inline constexpr const char* modulus_by_half_spaces = "reduced_modulus";
 
 /// Surfaces beside the solved cases, none where fewer than two of a load were solved by both. name: of the
-/// number in previews.json. The sd of each is that of the solved cases and of the ratio, which all share.
+/// number in previews.json. The sd of each is that of the solved cases and of the ratio, which all share,
+/// widened by Student's factor of the surfaces solved by both.
 /// Throws InputError for a previews.json that cannot be read or is of other inputs than the cases beside it.
 std::vector<CaseNumber> by_half_spaces(const std::vector<SolvedNumber>& solved, const std::string& name);
 
