@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <string>
 
+#include "core/alone_in_mpi.h"
 #include "core/error.h"
 #include "core/thread_limit.h"
 
@@ -33,8 +35,10 @@ void with_mpi(int threads, const std::function<void()>& work) {
     // knows how many cores each rank of this machine may have.
     if (threads == 0 && std::getenv("OMP_NUM_THREADS")) threads = omp_get_max_threads();
     if (threads > 0) limit_threads(threads);
+    std::optional<AloneInMpi> alone(std::in_place);
     const dealii::Utilities::MPI::MPI_InitFinalize session(
         argc, argv, threads > 0 ? static_cast<unsigned int>(threads) : dealii::numbers::invalid_unsigned_int);
+    alone.reset();
     omp_set_num_threads(threads > 0 ? threads : static_cast<int>(dealii::MultithreadInfo::n_threads()));
     try {
       work();

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+
+#include "core/alone_in_mpi.h"
 
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that long tests show how far they are
@@ -13,6 +16,8 @@ int main(int argc, char** argv) {
   const int threads =
       std::getenv("OMP_NUM_THREADS") ? omp_get_max_threads() : std::min(2, omp_get_num_procs());
   omp_set_num_threads(threads);
+  std::optional<asperity::AloneInMpi> alone(std::in_place);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, static_cast<unsigned>(threads));
+  alone.reset();
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,23 @@
+// What Open MPI need not do for a process that was started alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// While it lives, MPI that starts in this process makes no daemon for it and no network: 0.7 s less. Not in
+/// a process that a launcher (mpirun, srun) started, and not what the environment says already. Programs
+/// started after it has ended know nothing of it.
+class AloneInMpi {
+ public:
+  AloneInMpi();
+  ~AloneInMpi();
+  AloneInMpi(const AloneInMpi&) = delete;
+  AloneInMpi& operator=(const AloneInMpi&) = delete;
+
+ private:
+  std::vector<std::string> set_;  ///< names in the environment
+};
+
+}  // namespace asperity
