@@ -149,6 +149,37 @@ TEST(SteadyRollingNightly_behaviour, what_coarse_meshes_and_steps_leave_of_two_m
   }
 }
 
+/// A rough contact of asperities that yield and slip, four spacings over the shortest wave, on nodes half as
+/// far apart.
+TEST(SteadyRollingNightly_behaviour, what_a_coarse_mesh_leaves_of_rough_bodies_is_stated) {
+  for (const int seed : {1, 3}) {
+    const auto rolled = [&](double spacing) {
+      CaseInput c = test::sphere_on_silicon("smooth",
+                                            "generated(rms=1.427 nm, window=2.5 um, hurst=0.797, rolloff=208 "
+                                            "nm, cutoff=69.4 nm, seed=" +
+                                                std::to_string(seed) + ")",
+                                            spacing, 0);
+      c.experiment.type = Motion::rolling;
+      c.experiment.normal_load = 3e-5;
+      c.experiment.load_steps = 4;
+      c.experiment.unload = c.experiment.reverse = false;
+      c.interface.parameters["Friction coefficient"] = 0.3;
+      c.particle.parameters["Yield stress"] = 3e9, c.substrate.parameters["Yield stress"] = 4e9;
+      c.mesh.layers = 2;
+      const test::TemporaryFolder folder;
+      return test::solve_experiment(c, folder.path).result["effective"]["rolling_dissipation"];
+    };
+    const auto coarse = rolled(17.35e-9), fine = rolled(8.675e-9);
+    EXPECT_TRUE((
+        test::Verified{
+            "Stated errors",
+            "rolling of rough bodies that yield, friction 0.3, surface " + std::to_string(seed) + ", 17 nm",
+            "8.7 nm"}
+            .below((coarse["value"].get<double>() - fine["value"].get<double>()) / coarse["sd"].get<double>(),
+                   2, "sd")));
+  }
+}
+
 /// Slips as a whole from the fourth step on; on the way back over its own track nothing yields any more.
 TEST(SteadySliding_analytic, is_what_the_first_way_dissipates_and_not_the_mean_of_both) {
   constexpr double load = 1e-4, out = 3e-5, back = 1e-5, step = 1e-9;
