@@ -38,6 +38,9 @@ class CaseEntries {
   std::map<std::string, std::string> entries_;
 };
 
+/// In the folder of an elastic normal case with fields: the pressure of the same contact by half-spaces.
+inline constexpr const char* half_space_map = "half_space.vtp";
+
 struct SolvedCase {
   std::filesystem::path folder;
   CaseEntries entries;

@@ -11,6 +11,7 @@
 #include "fem/output/added_column.h"
 #include "fem/output/checkpoint.h"
 #include "fem/output/half_space_check.h"
+#include "fem/output/half_space_map.h"
 #include "fem/output/result_file.h"
 
 namespace asperity::fem {
@@ -142,7 +143,10 @@ void ContactExperiment::write_result() {
   double tension = 0;
   for (const auto& row : records_) tension = std::max(tension, -row.normal_force);
   if (speaks()) summary.half_space = half_space_check(input_, setup_, peak, tension);
-  if (summary.half_space) say(half_space_text(*summary.half_space, peak, stiffness_.normal, tension));
+  if (summary.half_space) {
+    say(half_space_text(*summary.half_space, peak, stiffness_.normal, tension));
+    if (input_.output.fields) write_half_space_map(options_.output, *summary.half_space);
+  }
   if (speaks())
     write_file_atomically(options_.output / "result.json", result_json(input_, setup_, records_, summary));
   say_load_steps();

@@ -124,15 +124,34 @@ Rings ring_means(const Map& map, int count) {
   return rings;
 }
 
-/// `pressure` in GPa.
-std::string pressure_map_figure(const SolvedCase& solved, const Map& pressure) {
+/// `pressure` in GPa; highest: what the darkest colour stands for, likewise.
+std::string pressure_picture(const SolvedCase& solved, const Map& pressure, double highest) {
   MapFigure figure = map_figure_of(pressure);
   figure.colour_label = "contact pressure [GPa]";
   figure.scale = &ColourScale::white_to_red();
-  figure.range = {0, std::max(pressure.largest(), 1e-12)};
+  figure.range = {0, std::max(highest, 1e-12)};
   figure.circles = {hertz_radius(solved) / nm};
   figure.circle_label = "contact of smooth bodies";
-  return figure_html("Contact pressure", to_svg(figure, paint(pressure, *figure.scale, figure.range)),
+  return to_svg(figure, paint(pressure, *figure.scale, figure.range));
+}
+
+/// The same contact by half-spaces, where the solver has had them check it; in the colours of `pressure`.
+std::vector<std::string> half_space_figure(const SolvedCase& solved, const Map& pressure, double half_width) {
+  const fs::path file = solved.folder / half_space_map;
+  if (!solved.finished() || !solved.result->document.contains("half_space") || !fs::exists(file)) return {};
+  Map other = scaled(interface_map(file, "pressure", half_width, map_pixels), GPa);
+  for (double& value : other.values)
+    if (std::isnan(value)) value = 0;  // beyond the part that was written nothing presses
+  return {
+      figure_html("The same by half-spaces", pressure_picture(solved, other, pressure.largest()),
+                  "The same surfaces and load, solved by boundary elements that know nothing of the mesh, "
+                  "in the colours of the picture before. Their numbers stand in result.json beside those "
+                  "of finite elements.")};
+}
+
+/// `pressure` in GPa.
+std::string pressure_map_figure(const SolvedCase& solved, const Map& pressure) {
+  return figure_html("Contact pressure", pressure_picture(solved, pressure, pressure.largest()),
                      "Where the bodies touch and how hard they press, seen from above at the largest load: "
                      "white is open, red presses. "
                      "Between smooth elastic bodies the pressure would fill the dashed circle, with " +
@@ -202,9 +221,11 @@ std::string contact_figures(const SolvedCase& solved) {
   const double half_width = map_half_width(solved, files[0]);
   const auto map = [&](const char* array) { return interface_map(files[0], array, half_width, map_pixels); };
   const Map pressure = scaled(map("pressure"), GPa);
-  return side_by_side({pressure_map_figure(solved, pressure),
-                       gap_map_figure(solved, scaled(map("gap"), nm), map("status")),
-                       pressure_profile_figure(solved, pressure)});
+  std::vector<std::string> figures{pressure_map_figure(solved, pressure)};
+  for (const std::string& figure : half_space_figure(solved, pressure, half_width)) figures.push_back(figure);
+  figures.push_back(gap_map_figure(solved, scaled(map("gap"), nm), map("status")));
+  figures.push_back(pressure_profile_figure(solved, pressure));
+  return side_by_side(figures);
 }
 
 std::string added_contact_figures(const SolvedCase& solved) {
