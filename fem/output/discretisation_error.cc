@@ -83,9 +83,9 @@ double DiscretisationError::torsion() const { return std::hypot(0.01, 1.5 * area
 // whole rows of nodes along the path: 14 smooth contacts with a/h 6 to 15 lost the work of 0 to 2.4 rows more
 // than of a width of 2 a, root mean square 1.2: 0.3 of the edge's
 // share of the area. Slip of smooth bodies of two materials (glass on silicon, friction 0.1) at a/h 6, 9.4,
-// 13 and 19: +40, +13, +9 and +3 % more than what it tends to. Ten rough contacts that yield and slip,
-// 30 and 95 uN, 17 nm against half of it: off by 0.04 to 1.6 of the area's error, root mean
-// square 0.7.
+// 13 and 19: +40, +13, +9 and +3 % more than what it tends to. Ten pairs of meshes of nine rough
+// contacts that yield and slip, 30 and 95 uN, most of 17 nm against half of it: off by 0.04 to 1.6 of the
+// area's error, root mean square 0.7.
 double DiscretisationError::rolling(double share_by_bonds) const {
   const double by_slip = (1 - share_by_bonds) * std::hypot(1.2 * whole_, std::pow(whole_ / 0.23, 4));
   return std::hypot(std::hypot(0.2 * whole_, area(), 0.3 * share_by_bonds * resolution_), by_slip);
