@@ -2,9 +2,11 @@
 // to engine in one command (nightly).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 
 #include "app/materials.h"
@@ -104,6 +106,26 @@ TEST(CharacteriseCommand_behaviour,
   EXPECT_EQ(least, 4);
   EXPECT_EQ(bracketed, 7);  // normal load once, the three motions at both ends
   EXPECT_GE(usual, 3 * least);
+}
+
+TEST(CharacteriseCommand_behaviour, time_that_is_left_goes_into_surfaces_that_roll_and_then_are_pressed) {
+  const TemporaryFolder folder;
+  const std::string scan = scan_in(folder);
+  const std::regex said(
+      "(\\d+) cases by finite elements.*; (\\d) loads, (\\d) realisations \\((\\d+) that roll, (\\d+) under");
+  int rolled = 0;
+  for (const int minutes : {10, 20, 30, 40}) {
+    const Outcome planned =
+        call(command(scan, "--plan --friction 0.3 --time '" + std::to_string(minutes) + " min'"));
+    std::smatch found;
+    if (!std::regex_search(planned.output, found, said)) continue;
+    const auto number = [&](std::size_t k) { return std::stoi(found[k]); };
+    const int more = number(4) - number(3) + number(5) - number(3);  // normal, sliding, rolling, torsion
+    EXPECT_EQ(number(1), number(2) * (4 * number(3) + more)) << planned.output;
+    rolled = std::max(rolled, number(4));
+  }
+  EXPECT_GT(rolled, 0) << "no plan has time for more surfaces that roll";
+  EXPECT_LE(rolled, 6);
 }
 
 TEST(CharacteriseCommand_behaviour, refuses_what_cannot_be_meant_with_status_2_and_the_remedy) {
