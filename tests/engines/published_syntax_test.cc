@@ -48,7 +48,13 @@ int lines_that_musen_reads(const std::string& text) {
 TEST(PublishedSyntax_other_code, musen_reads_every_line_of_a_pair_and_of_all_pairs) {
   EXPECT_GE(lines_that_musen_reads(engine_input("musen", test::canonical_contact(), {})), 6);
   // Three numbers of each of two materials and of each of three pairs.
-  EXPECT_GE(lines_that_musen_reads(musen_matrix(matrix())), 14);
+  const MaterialMatrix all = matrix();
+  const std::string text = musen_matrix(all);
+  EXPECT_GE(lines_that_musen_reads(text), 14);
+  // |M| <= mu R F there; of two equal spheres R_e is R/2.
+  const PairLaw& law = all.pair(0, 1).law;
+  EXPECT_NEAR(test::number_after(text, "SLIDING_FRICTION KEY_1 KEY_2 "), law.sliding, 1e-12);
+  EXPECT_NEAR(test::number_after(text, "ROLLING_FRICTION KEY_1 KEY_2 "), law.rolling / 2, 1e-12);
 }
 
 TEST(PublishedSyntax_other_code, kratos_finds_its_keys_and_no_others) {

@@ -35,8 +35,11 @@ nlohmann::json effective_of(double spacing, double contact_radius, double left_a
   peak.work = peak.elastic_energy = 1e-12;
   peak.spots = 3;
   std::vector<HistoryRow> records{peak};
-  for (int k = 1; k < 5; ++k)
+  for (int k = 1; k < 5; ++k) {
     records.push_back(peak), records.back().torsion_angle = 1e-3 * k, records.back().torsion_moment = 2e-12;
+    records.back().normal_force = load * (1 + 1e-7 * k);  // as the solver leaves it
+    records.back().spots = 3 + k;
+  }
   records.push_back(records.back());
   records.back().normal_force = -1e-6;
   records.back().contact_area *= left_at_pull_off * left_at_pull_off;
@@ -65,6 +68,10 @@ TEST(ResultFile_analytic, every_effective_value_states_what_the_mesh_leaves_in_d
     EXPECT_GT(relative(quantity), 1e-4) << name;  // a moment that does not fluctuate had 8e-20 N m
     EXPECT_LT(relative(quantity), 1) << name;
   }
+}
+
+TEST(ResultFile_analytic, numbers_of_the_contact_are_of_the_step_that_reaches_the_load_and_not_of_one_moved) {
+  EXPECT_EQ(effective_of(12e-9, 0.33e-6)["spots"]["value"], 3);
 }
 
 /// Of a circle of radius a, kappa = 2 h/a (discretisation_error.h).
