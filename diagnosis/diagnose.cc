@@ -267,7 +267,8 @@ class Diagnoser {
     for (std::size_t k = 0; k < calibrated.values.size(); ++k)
       result_.calibrated.push_back(calibrated.parameter(k, 1));
     result_.noise = described_noise(problem_);
-    result_.remarks = remarks_on_noise(problem_, prepared_.outliers, prepared_.in_jumps);
+    result_.remarks = recording_.remarks;
+    remark_all(remarks_on_noise(problem_, prepared_.outliers, prepared_.in_jumps));
     remark_all(remarks_on_sets(judged_));
   }
 
@@ -288,8 +289,7 @@ class Diagnoser {
 Diagnosis diagnose(const Recording& recording, const DiagnoseOptions& options) {
   if (!options.simulation && recording.simulation.by_finite_elements())
     throw InputError(
-        "the recording's simulation is a case of finite elements, and nothing is at hand here that solves "
-        "it; "
+        "the recording's simulation is a case of finite elements, which nothing at hand here solves; "
         "use asperity diagnose");
   if (!options.simulation) return Diagnoser(recording, options, nullptr).run();
   SolvedCaseMapping mapping(*options.simulation, options.progress);

@@ -108,18 +108,34 @@ void find_approach_rates(Samples& samples, const SampleRun& run) {
   }
 }
 
-/// Direction of a segment by its name, else that of its ends: single samples jitter.
-int direction_of_segment(const std::string& name, double travel, int direction_before) {
+/// Direction of a segment: that of its ends, for single samples jitter. Where they lie too close to tell, or
+/// the displacement follows a force (load, unload), it is that of its name. "forward" and "backward" alone
+/// say no sign: a stage may count its displacement down.
+int direction_of_segment(const std::string& name, double travel, double range, int direction_before) {
+  constexpr double shown = 0.1;  // of the run's range
   if (name == "hold") return direction_before == 0 ? 1 : direction_before;
-  if (name == "backward" || name == "unload") return -1;
-  if (name == "forward" || name == "load") return 1;
+  if (name == "unload") return -1;
+  if (name == "load") return 1;
+  const bool is_named = name == "forward" || name == "backward";
+  if (is_named && std::abs(travel) <= shown * range) return name == "forward" ? 1 : -1;
   return travel >= 0 ? 1 : -1;
+}
+
+template <class Driven>
+double range_of(const Samples& samples, const SampleRun& run, const Driven& driven) {
+  double low = driven(samples.list[run.begin]), high = low;
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    low = std::min(low, driven(samples.list[i]));
+    high = std::max(high, driven(samples.list[i]));
+  }
+  return high - low;
 }
 
 /// Direction, path since reversal, holds and cycles; driven: of a sample, the driven motion.
 template <class Driven>
 void find_reversals(Samples& samples, const SampleRun& run, bool has_cycles, const Driven& driven) {
   Sample* list = samples.list.data();
+  const double range = range_of(samples, run, driven);
   double reversal = driven(list[run.begin]), hold_begin = 0, cycle = 0;
   int direction = 0, first_direction = 0, hold = 0;
   for (std::size_t i = run.begin; i < run.end; ++i) {
@@ -128,7 +144,7 @@ void find_reversals(Samples& samples, const SampleRun& run, bool has_cycles, con
     if (i == run.begin || s.part != list[i - 1].part) {
       std::size_t end = i;
       while (end + 1 < run.end && list[end + 1].part == s.part) ++end;
-      const int now = direction_of_segment(name, driven(list[end]) - driven(s), direction);
+      const int now = direction_of_segment(name, driven(list[end]) - driven(s), range, direction);
       if (first_direction == 0)
         first_direction = now;
       else if (direction != now && now == first_direction)

@@ -86,6 +86,7 @@ struct Recording {
   SimulationChoice simulation;
   std::map<std::string, double> noise;  ///< standard deviation of one sample by channel [SI]
   std::vector<RecordingTable> tables;
+  std::vector<std::string> remarks;  ///< what was changed in reading, in sentences
 };
 
 /// Dimension of a channel ("normal_force", "lateral_force_sd", "run"); throws InputError with the nearest

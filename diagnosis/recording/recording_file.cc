@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/json_entries.h"
 #include "core/output_folder.h"
+#include "diagnosis/recording/force_sign.h"
 #include "diagnosis/recording/recording.h"
 #include "diagnosis/recording/recording_table_file.h"
 #include "diagnosis/recording/simulation_json.h"
@@ -140,6 +141,7 @@ Recording read_recording(const fs::path& given) {
   for (const auto& table : json["tables"])
     recording.tables.push_back(table_of(table, recording.mode, recording.folder, file));
   check_recording(recording);
+  turn_displacement_along_force(recording);
   return recording;
 }
 

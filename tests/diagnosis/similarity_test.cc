@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagnosis/diagnose.h"
+#include "diagnosis/recording/force_sign.h"
 #include "tests/diagnosis/support/made_tables.h"
 
 namespace asperity {
@@ -74,6 +75,37 @@ TEST(Similar_analytic, a_lateral_compliance_is_found_in_any_units) {
                       4e-5, [](double, double, int) { return 0.0; }, 4 * uN, 4),
                   "lateral_compliance", [](const Units& units) { return 1 / (units.stress * units.length); },
                   {{1e4, 1e-3, 1e3}});
+}
+
+/// A friction loop whose force is larger by a sixth after each turn and forgets that within 20 nm.
+Recording loops_with_a_static_peak() {
+  return test::loops(
+      4e-5,
+      [](double x, double load, int direction) {
+        const double since = direction > 0 ? x : 100 * nm - x;
+        return since < 20 * nm ? 0 : direction * 0.04 * load * std::exp(-(since - 20 * nm) / (20 * nm));
+      },
+      2 * uN, 5);
+}
+
+TEST(Similar_analytic, a_loop_is_the_same_from_the_other_side) {
+  const Recording loops = loops_with_a_static_peak();
+  const Diagnosis here = diagnose(loops);
+  for (const bool turns_force : {true, false}) {
+    Recording turned = loops;  // its "forward" segments count the displacement down
+    for (double& x : turned.tables[0].columns["lateral_displacement"]) x = -x;
+    if (turns_force)
+      for (double& f : turned.tables[0].columns["lateral_force"]) f = -f;
+    turn_displacement_along_force(turned);
+    EXPECT_EQ(turned.remarks.empty(), turns_force);
+    const Diagnosis there = diagnose(turned);
+    EXPECT_EQ(there.verdict, here.verdict) << there.in_words;
+    ASSERT_EQ(there.left_out.size(), here.left_out.size()) << there.in_words;
+    for (std::size_t k = 0; k < here.left_out.size(); ++k)
+      EXPECT_EQ(there.left_out[k].id, here.left_out[k].id);
+    EXPECT_NEAR(there.improved.chi2_reduced, here.improved.chi2_reduced, 1e-3);
+    EXPECT_EQ(there.remarks.size(), here.remarks.size() + turned.remarks.size());
+  }
 }
 
 }  // namespace

@@ -1,0 +1,70 @@
+#include "diagnosis/recording/force_sign.h"
+
+#include <cmath>
+
+#include "core/error.h"
+#include "diagnosis/recording/samples.h"
+
+namespace asperity {
+namespace {
+
+/// Number, sum and sum of squares of a force [N] in one direction of motion.
+struct ForceInDirection {
+  double count = 0, sum = 0, squares = 0;
+
+  void add(double force) { count += 1, sum += force, squares += force * force; }
+  double mean() const { return count > 0 ? sum / count : 0; }
+  double about_mean() const { return squares - sum * mean(); }
+};
+
+/// +1: what drives the motion does work, and friction dissipates it; -1: friction would give energy; 0: this
+/// run does not tell.
+int sign_of_dissipation(const Samples& samples, const SampleRun& run) {
+  ForceInDirection rising, falling;
+  bool contradicts_names = true;
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    const Sample& s = samples.list[i];
+    const std::string& name = samples.segment_names[static_cast<std::size_t>(s.segment)];
+    if (!s.counts || name == "hold") continue;
+    (s.direction > 0 ? rising : falling).add(s.response);
+    contradicts_names = contradicts_names && name == (s.direction > 0 ? "backward" : "forward");
+  }
+  if ((rising.count == 0 || falling.count == 0) && !contradicts_names) return 0;
+  const double difference = rising.mean() - falling.mean();  // one of them is 0 in one direction alone
+  const double count = rising.count + falling.count;
+  const double scatter = std::sqrt((rising.about_mean() + falling.about_mean()) / std::max(1.0, count));
+  return difference < -scatter ? -1 : difference > scatter ? 1 : 0;
+}
+
+}  // namespace
+
+void turn_displacement_along_force(Recording& recording) {
+  if (recording.mode == Motion::normal) return;
+  const Samples samples = samples_of(recording);
+  for (std::size_t t = 0; t < recording.tables.size(); ++t) {
+    RecordingTable& table = recording.tables[t];
+    if (table.kind != TableKind::trace || table.response != "lateral_force" ||
+        !table.has("lateral_displacement"))
+      continue;
+    bool dissipates = false, gives = false;
+    for (const SampleRun& run : samples.runs) {
+      const int sign = run.table == t ? sign_of_dissipation(samples, run) : 0;
+      dissipates = dissipates || sign > 0;
+      gives = gives || sign < 0;
+    }
+    if (!gives) continue;
+    const std::string file = recording.folder.empty() ? table.file : (recording.folder / table.file).string();
+    if (dissipates)
+      throw InputError(file +
+                       ": the lateral force is smaller where the lateral displacement rises than where "
+                       "it falls in some runs, so friction would give energy there, and larger in "
+                       "others; turn the sign of one of the two columns in those runs");
+    for (double& x : table.columns["lateral_displacement"]) x = -x;
+    recording.remarks.push_back(
+        table.file +
+        ": lateral force and lateral displacement are positive in opposite directions, so that "
+        "friction would give energy; the sign of the displacement is turned");
+  }
+}
+
+}  // namespace asperity

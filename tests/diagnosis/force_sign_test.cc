@@ -1,0 +1,95 @@
+// Which recordings have a lateral force and displacement that are positive in opposite directions.
+#include "diagnosis/recording/force_sign.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using test::message_of;
+
+/// Sliding at a force of `up` while the displacement rises, and of `down` on the way back [uN]; in one
+/// direction alone where there is no `down`.
+Recording slid(double up, std::optional<double> down, double alternating = 0) {
+  Recording recording;
+  recording.mode = Motion::sliding;
+  recording.particle = test::borosilicate(), recording.substrate = test::silicon();
+  RecordingTable table;
+  table.file = "loop.csv";
+  table.control = {"lateral_displacement", "normal_force"};
+  table.response = "lateral_force";
+  const auto row = [&](int i, double x, double force) {
+    table.columns["lateral_displacement"].push_back(x * 1e-9);
+    table.columns["normal_force"].push_back(1e-3);
+    table.columns["lateral_force"].push_back(1e-6 * (force + (i % 2 == 0 ? alternating : -alternating)));
+  };
+  for (int i = 0; i < 40; ++i) row(i, i, up);
+  if (down)
+    for (int i = 0; i < 40; ++i) row(i, 39 - i, *down);
+  recording.tables = {table};
+  return recording;
+}
+
+bool is_turned(Recording recording) {
+  const double before = recording.tables[0].columns["lateral_displacement"][20];
+  turn_displacement_along_force(recording);
+  const bool turned = recording.tables[0].columns["lateral_displacement"][20] == -before;
+  EXPECT_EQ(recording.remarks.size(), turned ? 1U : 0U);
+  return turned;
+}
+
+TEST(ForceSign_analytic, is_turned_where_a_loop_would_give_energy) {
+  EXPECT_FALSE(is_turned(slid(2, -2)));
+  EXPECT_TRUE(is_turned(slid(-2, 2)));
+  EXPECT_TRUE(is_turned(slid(3, 7)));  // a constant force is added
+  EXPECT_FALSE(is_turned(slid(7, 3)));
+}
+
+TEST(ForceSign_analytic, stays_where_scatter_hides_it) {
+  EXPECT_TRUE(is_turned(slid(-2, 2, 3.9)));
+  EXPECT_FALSE(is_turned(slid(-2, 2, 4.1)));
+}
+
+TEST(ForceSign_analytic, of_motion_in_one_direction_is_told_only_against_its_name) {
+  Recording one = slid(-2, {});
+  EXPECT_FALSE(is_turned(one));  // an offset may make it negative
+  one.tables[0].segment.assign(40, "backward");
+  EXPECT_TRUE(is_turned(one));
+  one.tables[0].segment.assign(40, "forward");
+  EXPECT_FALSE(is_turned(one));
+  one = slid(2, {});
+  one.tables[0].segment.assign(40, "backward");  // a stage that counts down, its force along the motion
+  EXPECT_FALSE(is_turned(one));
+}
+
+TEST(ForceSign_behaviour, is_refused_where_runs_contradict_each_other) {
+  Recording recording = slid(2, -2);
+  RecordingTable& table = recording.tables[0];
+  const RecordingTable other = slid(-2, 2).tables[0];
+  for (const auto& [name, values] : other.columns)
+    table.columns[name].insert(table.columns[name].end(), values.begin(), values.end());
+  table.columns["run"].assign(80, 1);
+  table.columns["run"].insert(table.columns["run"].end(), 80, 2);
+  const std::string said = message_of([&] { turn_displacement_along_force(recording); });
+  EXPECT_NE(said.find("loop.csv"), std::string::npos) << said;
+  EXPECT_NE(said.find("turn the sign"), std::string::npos) << said;
+}
+
+TEST(ForceSign_behaviour, is_turned_in_reading_and_said_in_the_recording) {
+  const test::TemporaryFolder folder;
+  write_recording(slid(-2, 2), folder.path);
+  const Recording read = read_recording(folder.path);
+  EXPECT_EQ(read.tables[0].column("lateral_displacement")[20], -20e-9);
+  EXPECT_EQ(read.tables[0].column("lateral_force")[20], -2e-6);
+  ASSERT_EQ(read.remarks.size(), 1U);
+  EXPECT_NE(read.remarks[0].find("loop.csv"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity
