@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <thread>
 
@@ -12,6 +11,7 @@
 #include "app/characterise_plan.h"
 #include "app/characterise_request.h"
 #include "app/commands.h"
+#include "app/mpi_session.h"
 #include "app/scanned_surface.h"
 #include "app/solver_commands.h"
 #include "app/study_folders.h"
@@ -37,8 +37,6 @@ namespace asperity {
 namespace {
 
 namespace fs = std::filesystem;
-
-void say(const std::string& line) { std::cout << line << std::endl; }
 
 /// All that is known before the first case is solved.
 struct Prepared {

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
 #include <optional>
-#include <string>
 
 #include "core/alone_in_mpi.h"
 #include "core/error.h"
@@ -20,6 +20,10 @@ bool is_speaking_rank() {
   // Set by Open MPI's mpirun; not set in a process started alone.
   const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
   return !rank || std::string(rank) == "0";
+}
+
+void say(const std::string& line) {
+  if (is_speaking_rank()) std::cout << line << std::endl;
 }
 
 void with_mpi(int threads, const std::function<void()>& work) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace asperity {
 
@@ -12,5 +13,8 @@ void with_mpi(int threads, const std::function<void()>& work);
 
 /// True on the one rank that talks to the user; known before and after MPI runs.
 bool is_speaking_rank();
+
+/// Prints a line at once, on that rank.
+void say(const std::string& line);
 
 }  // namespace asperity

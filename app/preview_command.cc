@@ -4,13 +4,13 @@
 
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/case_file.h"
 #include "app/case_previews.h"
+#include "app/mpi_session.h"
 #include "app/solver_commands.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -26,8 +26,6 @@ struct PreviewArguments {
   std::string file, output, hardness;
   std::vector<std::string> overrides;
 };
-
-void say(const std::string& line) { std::cout << line << std::endl; }
 
 /// Says how far a separation has come where it takes long.
 half_space::OnSeparation said_from_time_to_time() {

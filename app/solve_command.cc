@@ -26,10 +26,6 @@ struct SolveArguments {
   bool resume = false, overwrite = false, check = false, verbose = false;
 };
 
-void say(const std::string& line) {
-  if (is_speaking_rank()) std::cout << line << std::endl;
-}
-
 void run_solve(const SolveArguments& arguments) {
   const Settings settings = read_settings(arguments.file, arguments.overrides);
   const CaseInput input = case_from_settings(settings, arguments.file);

@@ -12,6 +12,7 @@
 
 #include "app/case_file.h"
 #include "app/case_previews.h"
+#include "app/mpi_session.h"
 #include "app/number_check.h"
 #include "app/solver_commands.h"
 #include "app/study_plan.h"
@@ -34,8 +35,6 @@ struct StudyArguments {
   bool resume = false, overwrite = false, check = false, plan = false, gather = false, preview = false;
   int parallel = 0;
 };
-
-void say(const std::string& line) { std::cout << line << std::endl; }
 
 /// Chooses the cases whose names contain what a regular expression describes.
 std::function<bool(const std::string&)> names_with(const std::string& expression, const Study& study) {

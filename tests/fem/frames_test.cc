@@ -18,7 +18,7 @@ ExperimentInput experiment(Motion type) {
   return e;
 }
 
-MotionScales scales() {
+MotionScales scales_of_motion() {
   MotionScales s;
   s.largest_shift = s.largest_roll = 10e-9, s.full_slip_shift = 1e-9, s.largest_angle = 0.01,
   s.full_slip_angle = 0.05;
@@ -34,7 +34,7 @@ std::vector<int> shown_steps(const Frames& frames) {
 }
 
 Frames frames(const ExperimentInput& e, int every = 0) {
-  return frames_of(e, make_program(e, scales()), scales(), e.normal_load, every);
+  return frames_of(e, make_program(e, scales_of_motion()), scales_of_motion(), e.normal_load, every);
 }
 
 TEST(Frames_behaviour, of_a_pressed_contact_run_on_with_the_load_and_while_it_falls) {
