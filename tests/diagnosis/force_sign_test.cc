@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/error.h"
 #include "tests/diagnosis/support/made_recording.h"
 #include "tests/support/temporary_folder.h"
 
@@ -76,7 +77,7 @@ TEST(ForceSign_behaviour, is_refused_where_runs_contradict_each_other) {
     table.columns[name].insert(table.columns[name].end(), values.begin(), values.end());
   table.columns["run"].assign(80, 1);
   table.columns["run"].insert(table.columns["run"].end(), 80, 2);
-  const std::string said = message_of([&] { turn_displacement_along_force(recording); });
+  const std::string said = message_of<InputError>([&] { turn_displacement_along_force(recording); });
   EXPECT_NE(said.find("loop.csv"), std::string::npos) << said;
   EXPECT_NE(said.find("turn the sign"), std::string::npos) << said;
 }
