@@ -1,5 +1,6 @@
 #include "diagnosis/recording/force_sign.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -14,7 +15,7 @@ struct ForceInDirection {
 
   void add(double force) { count += 1, sum += force, squares += force * force; }
   double mean() const { return count > 0 ? sum / count : 0; }
-  double about_mean() const { return squares - sum * mean(); }
+  double about_mean() const { return std::max(0.0, squares - sum * mean()); }  // round-off of a constant
 };
 
 /// +1: what drives the motion does work, and friction dissipates it; -1: friction would give energy; 0: this

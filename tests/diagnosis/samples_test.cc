@@ -220,8 +220,7 @@ TEST(Samples_behaviour, go_the_way_of_their_segments_ends_unless_a_load_or_too_s
   EXPECT_EQ(directions("out", "home"), (std::pair{1, -1}));
   EXPECT_EQ(directions("backward", "forward"), (std::pair{1, -1}));  // a stage may count down
   EXPECT_EQ(directions("unload", "load"), (std::pair{-1, 1}));
-  EXPECT_EQ(directions("backward", "hold"),
-            (std::pair{-1, -1}));  // a hold keeps the direction that led to it
+  EXPECT_EQ(directions("unload", "hold"), (std::pair{-1, -1}));  // a hold keeps what led to it
   EXPECT_EQ(directions("hold", "home"), (std::pair{1, -1}));
   auto& path = recording.tables[0].columns["lateral_displacement"];
   for (std::size_t i = 51; i < path.size(); ++i) path[i] = 1e-7 - 0.01e-7 * static_cast<double>(i % 2);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/conceal/concealed_recording.h"
 #include "diagnosis/diagnose.h"
 #include "diagnosis/recording/force_sign.h"
 #include "tests/diagnosis/support/made_tables.h"
@@ -77,20 +78,11 @@ TEST(Similar_analytic, a_lateral_compliance_is_found_in_any_units) {
                   {{1e4, 1e-3, 1e3}});
 }
 
-/// A friction loop whose force is larger by a sixth after each turn and forgets that within 20 nm.
-Recording loops_with_a_static_peak() {
-  return test::loops(
-      4e-5,
-      [](double x, double load, int direction) {
-        const double since = direction > 0 ? x : 100 * nm - x;
-        return since < 20 * nm ? 0 : direction * 0.04 * load * std::exp(-(since - 20 * nm) / (20 * nm));
-      },
-      2 * uN, 5);
-}
-
 TEST(Similar_analytic, a_loop_is_the_same_from_the_other_side) {
-  const Recording loops = loops_with_a_static_peak();
+  const Recording loops =
+      conceal(ConcealOptions{Motion::sliding, {"static_friction_peak"}, 0.01, 5, ""}).recording;
   const Diagnosis here = diagnose(loops);
+  ASSERT_EQ(here.verdict, Verdict::explained) << here.in_words;
   for (const bool turns_force : {true, false}) {
     Recording turned = loops;  // its "forward" segments count the displacement down
     for (double& x : turned.tables[0].columns["lateral_displacement"]) x = -x;
