@@ -26,4 +26,10 @@ AloneInMpi::~AloneInMpi() {
   for (const std::string& name : set_) ::unsetenv(name.c_str());
 }
 
+std::vector<std::string> environment_alone_in_mpi() {
+  std::vector<std::string> entries;
+  for (const auto& [name, value] : settings) entries.push_back(std::string(name) + "=" + value);
+  return entries;
+}
+
 }  // namespace asperity

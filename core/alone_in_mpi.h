@@ -20,4 +20,8 @@ class AloneInMpi {
   std::vector<std::string> set_;  ///< names in the environment
 };
 
+/// The same for a program that is started alone beside this one: entries "NAME=value" of its environment. Not
+/// for a script that starts ranks itself: they would find no network.
+std::vector<std::string> environment_alone_in_mpi();
+
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include "engines/engine.h"
 
+#include "core/alone_in_mpi.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/output_folder.h"
@@ -39,7 +40,9 @@ EngineRun run_engine(const Engine& engine, const EngineExperiment& experiment, c
   write_file_atomically(folder / engine.input_file(), input);
   std::vector<std::string> arguments{program.string()};
   for (const auto& argument : engine.arguments()) arguments.push_back(argument);
-  const ProgramRun program_run = run_program(arguments, folder, log_name, options.time_limit);
+  // A program of the user's own choice may be a script that starts ranks.
+  const auto environment = options.program.empty() ? environment_alone_in_mpi() : std::vector<std::string>{};
+  const ProgramRun program_run = run_program(arguments, folder, log_name, options.time_limit, environment);
   const std::string log = read_file(folder / log_name), message = engine.error_message(log);
   const std::string log_path = (folder / log_name).string();
   if (program_run.status != 0 || !message.empty())

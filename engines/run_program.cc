@@ -31,10 +31,11 @@ fs::path find_program(const std::string& name) {
 }
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const fs::path& folder,
-                       const std::string& log, std::chrono::seconds limit) {
+                       const std::string& log, std::chrono::seconds limit,
+                       const std::vector<std::string>& environment) {
   const auto began = Clock::now();
   fs::remove(folder / log);
-  ChildProcess program(arguments, fs::absolute(folder / log), {}, folder);
+  ChildProcess program(arguments, fs::absolute(folder / log), environment, folder);
   constexpr auto first_pause = std::chrono::milliseconds(5), longest_pause = std::chrono::milliseconds(50);
   for (auto pause = first_pause;; pause = std::min(2 * pause, longest_pause)) {
     if (const auto status = program.exit_status())

@@ -17,9 +17,11 @@ struct ProgramRun {
   double wall_time = 0;  ///< [s]
 };
 
-/// Runs `arguments[0]` in `folder` with output and errors in `folder/log`, without input. It is killed, with
-/// what it started, after the time limit (throws WorkError) and does not outlive this program.
+/// Runs `arguments[0]` in `folder` with output and errors in `folder/log`, without input; entries
+/// "NAME=value" of `environment` replace this process's. It is killed, with what it started, after the time
+/// limit (throws WorkError) and does not outlive this program.
 ProgramRun run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                       const std::string& log, std::chrono::seconds limit);
+                       const std::string& log, std::chrono::seconds limit,
+                       const std::vector<std::string>& environment = {});
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -26,6 +27,16 @@ TEST(AloneInMpi_behaviour, sets_what_is_not_set_and_takes_it_back) {
   EXPECT_EQ(in_environment("OMPI_MCA_pml"), "unset");
   EXPECT_EQ(in_environment("OMPI_MCA_btl"), "self,tcp");
   ::unsetenv("OMPI_MCA_btl");
+}
+
+TEST(AloneInMpi_behaviour, says_a_program_beside_this_one_the_same) {
+  const AloneInMpi alone;
+  const std::vector<std::string> entries = environment_alone_in_mpi();
+  EXPECT_EQ(entries.size(), 3U);
+  for (const std::string& entry : entries) {
+    const std::size_t equals = entry.find('=');
+    EXPECT_EQ(in_environment(entry.substr(0, equals).c_str()), entry.substr(equals + 1)) << entry;
+  }
 }
 
 TEST(AloneInMpi_behaviour, leaves_ranks_of_a_launcher_as_they_are) {

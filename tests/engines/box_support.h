@@ -29,7 +29,7 @@ inline BoxRun run_box(const WrittenEngine& written, const Engine& engine, const 
     folder.write(name, text);
   std::vector<std::string> command{find_program(engine.executable()).string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  run_program(command, folder.path, "log", std::chrono::seconds(280));
+  run_program(command, folder.path, "log", std::chrono::seconds(280), environment_alone_in_mpi());
   BoxRun run;
   std::ifstream log(folder.path / "log");
   run.log = {std::istreambuf_iterator<char>(log), {}};

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "core/alone_in_mpi.h"
 #include "engines/engine.h"
 #include "engines/lammps.h"
 #include "engines/run_program.h"
@@ -79,7 +80,7 @@ inline std::string run_script(const Engine& engine, const std::string& script) {
   folder.write(engine.input_file(), script);
   std::vector<std::string> arguments{find_program(engine.executable()).string()};
   for (const auto& argument : engine.arguments()) arguments.push_back(argument);
-  run_program(arguments, folder.path, "log", std::chrono::seconds(120));
+  run_program(arguments, folder.path, "log", std::chrono::seconds(120), environment_alone_in_mpi());
   std::ifstream log(folder.path / "log");
   return {std::istreambuf_iterator<char>(log), {}};
 }

@@ -14,7 +14,7 @@ namespace {
 using namespace asperity::fem;
 
 ContactSystemOptions options_with_backend(const std::string& backend, Control control = Control::force) {
-  ContactSystemOptions o = asperity::test::wavy_contact(2e9, 5);
+  ContactSystemOptions o = asperity::test::wavy_contact(2e9, 4);
   o.control = control;
   o.backend = backend;
   return o;
