@@ -108,43 +108,60 @@ void find_approach_rates(Samples& samples, const SampleRun& run) {
   }
 }
 
-/// Direction of a segment: that of its ends, for single samples jitter. Where they lie too close to tell, or
-/// the displacement follows a force (load, unload), it is that of its name. "forward" and "backward" alone
-/// say no sign: a stage may count its displacement down.
-int direction_of_segment(const std::string& name, double travel, double range, int direction_before) {
-  constexpr double shown = 0.1;  // of the run's range
-  if (name == "hold") return direction_before == 0 ? 1 : direction_before;
-  if (name == "unload") return -1;
-  if (name == "load") return 1;
-  const bool is_named = name == "forward" || name == "backward";
-  if (is_named && std::abs(travel) <= shown * range) return name == "forward" ? 1 : -1;
-  return travel >= 0 ? 1 : -1;
+int sign_of_name(const std::string& segment) {
+  if (segment == "forward" || segment == "load") return 1;
+  return segment == "backward" || segment == "unload" ? -1 : 0;
 }
 
+/// Samples from `from` on that are of its part.
+std::size_t end_of_part(const Samples& samples, const SampleRun& run, std::size_t from) {
+  std::size_t to = from;
+  while (to < run.end && samples.list[to].part == samples.list[from].part) ++to;
+  return to;
+}
+
+/// -1 where the displacement falls in every "forward" segment and rises in every "backward" one: a stage that
+/// counts down. +1 otherwise, also where both rise: positions along a line say nothing of the direction.
 template <class Driven>
-double range_of(const Samples& samples, const SampleRun& run, const Driven& driven) {
+int sense_of_names(const Samples& samples, const SampleRun& run, const Driven& driven) {
+  constexpr double shown = 0.1;  // of the run's range: shorter segments do not tell
   double low = driven(samples.list[run.begin]), high = low;
   for (std::size_t i = run.begin; i < run.end; ++i) {
     low = std::min(low, driven(samples.list[i]));
     high = std::max(high, driven(samples.list[i]));
   }
-  return high - low;
+  bool any = false;
+  for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
+    to = end_of_part(samples, run, from);
+    const std::string& name = samples.segment_names[static_cast<std::size_t>(samples.list[from].segment)];
+    const double travel = driven(samples.list[to - 1]) - driven(samples.list[from]);
+    if ((name != "forward" && name != "backward") || std::abs(travel) <= shown * (high - low)) continue;
+    if (travel * sign_of_name(name) > 0) return 1;
+    any = true;
+  }
+  return any ? -1 : 1;
+}
+
+/// Direction of a segment by its name, else that of its ends: single samples jitter.
+int direction_of_segment(const std::string& name, double travel, int sense, int direction_before) {
+  if (name == "hold") return direction_before == 0 ? 1 : direction_before;
+  if (const int sign = sign_of_name(name); sign != 0) return sign * sense;
+  return travel >= 0 ? 1 : -1;
 }
 
 /// Direction, path since reversal, holds and cycles; driven: of a sample, the driven motion.
 template <class Driven>
 void find_reversals(Samples& samples, const SampleRun& run, bool has_cycles, const Driven& driven) {
   Sample* list = samples.list.data();
-  const double range = range_of(samples, run, driven);
+  const int sense = sense_of_names(samples, run, driven);
   double reversal = driven(list[run.begin]), hold_begin = 0, cycle = 0;
   int direction = 0, first_direction = 0, hold = 0;
   for (std::size_t i = run.begin; i < run.end; ++i) {
     Sample& s = list[i];
     const std::string& name = samples.segment_names[static_cast<std::size_t>(s.segment)];
     if (i == run.begin || s.part != list[i - 1].part) {
-      std::size_t end = i;
-      while (end + 1 < run.end && list[end + 1].part == s.part) ++end;
-      const int now = direction_of_segment(name, driven(list[end]) - driven(s), range, direction);
+      const std::size_t last = end_of_part(samples, run, i) - 1;
+      const int now = direction_of_segment(name, driven(list[last]) - driven(s), sense, direction);
       if (first_direction == 0)
         first_direction = now;
       else if (direction != now && now == first_direction)

@@ -37,30 +37,39 @@ int sign_of_dissipation(const Samples& samples, const SampleRun& run) {
   return difference < -scatter ? -1 : difference > scatter ? 1 : 0;
 }
 
+/// Which signs the runs of a table have.
+struct SignsOfRuns {
+  bool dissipate = false, give = false;
+};
+
+SignsOfRuns signs_of_runs(const Recording& recording, std::size_t table) {
+  const Samples samples = samples_of(recording);
+  SignsOfRuns signs;
+  for (const SampleRun& run : samples.runs) {
+    const int sign = run.table == table ? sign_of_dissipation(samples, run) : 0;
+    signs.dissipate = signs.dissipate || sign > 0;
+    signs.give = signs.give || sign < 0;
+  }
+  return signs;
+}
+
 }  // namespace
 
 void turn_displacement_along_force(Recording& recording) {
   if (recording.mode == Motion::normal) return;
-  const Samples samples = samples_of(recording);
   for (std::size_t t = 0; t < recording.tables.size(); ++t) {
     RecordingTable& table = recording.tables[t];
     if (table.kind != TableKind::trace || table.response != "lateral_force" ||
         !table.has("lateral_displacement"))
       continue;
-    bool dissipates = false, gives = false;
-    for (const SampleRun& run : samples.runs) {
-      const int sign = run.table == t ? sign_of_dissipation(samples, run) : 0;
-      dissipates = dissipates || sign > 0;
-      gives = gives || sign < 0;
-    }
-    if (!gives) continue;
-    const std::string file = recording.folder.empty() ? table.file : (recording.folder / table.file).string();
-    if (dissipates)
-      throw InputError(file +
-                       ": the lateral force is smaller where the lateral displacement rises than where "
-                       "it falls in some runs, so friction would give energy there, and larger in "
-                       "others; turn the sign of one of the two columns in those runs");
+    const SignsOfRuns as_given = signs_of_runs(recording, t);
+    if (!as_given.give) continue;
     for (double& x : table.columns["lateral_displacement"]) x = -x;
+    if (as_given.dissipate || signs_of_runs(recording, t).give)
+      throw InputError(
+          (recording.folder.empty() ? table.file : (recording.folder / table.file).string()) +
+          ": the lateral force of some runs is smaller on the way forward than on the way back, so friction "
+          "would give energy there; turn the sign of their lateral_force");
     recording.remarks.push_back(
         table.file +
         ": lateral force and lateral displacement are positive in opposite directions, so that "

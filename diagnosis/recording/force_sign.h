@@ -10,7 +10,7 @@ namespace asperity {
 /// falls, the displacement's sign is turned and `recording.remarks` says so. A run in one direction, to whose
 /// force a constant may be added, tells that only if its segment is "forward" while the displacement falls,
 /// or "backward" while it rises. Throws InputError, naming the table, where some of its runs dissipate and
-/// others would give energy.
+/// others would give energy, or where only the names of segments say the direction.
 void turn_displacement_along_force(Recording& recording);
 
 }  // namespace asperity

@@ -82,6 +82,21 @@ TEST(ForceSign_behaviour, is_refused_where_runs_contradict_each_other) {
   EXPECT_NE(said.find("turn the sign"), std::string::npos) << said;
 }
 
+TEST(ForceSign_behaviour, of_positions_along_a_line_is_that_of_the_segments_names) {
+  const auto image = [](double forward, double backward) {
+    Recording both = slid(forward, backward);
+    auto& path = both.tables[0].columns["lateral_displacement"];
+    for (std::size_t i = 40; i < 80; ++i) path[i] = path[i - 40];
+    both.tables[0].segment.assign(40, "forward");
+    both.tables[0].segment.insert(both.tables[0].segment.end(), 40, "backward");
+    return both;
+  };
+  EXPECT_FALSE(is_turned(image(2, -2)));
+  Recording turned = image(-2, 2);
+  const std::string said = message_of<InputError>([&] { turn_displacement_along_force(turned); });
+  EXPECT_NE(said.find("loop.csv"), std::string::npos) << said;
+}
+
 TEST(ForceSign_behaviour, is_turned_in_reading_and_said_in_the_recording) {
   const test::TemporaryFolder folder;
   write_recording(slid(-2, 2), folder.path);

@@ -208,7 +208,7 @@ TEST(Samples_behaviour, do_not_take_jitter_below_a_fiftieth_of_the_range_for_a_t
   EXPECT_EQ(samples_of(driven(Motion::normal, path)).parts, 4);
 }
 
-TEST(Samples_behaviour, go_the_way_of_their_segments_ends_unless_a_load_or_too_short_a_path_names_it) {
+TEST(Samples_behaviour, go_the_way_their_segment_is_named_for_or_else_that_of_its_ends) {
   Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0}, 50));
   auto& names = recording.tables[0].segment;
   const auto directions = [&](const char* first, const char* second) {
@@ -218,13 +218,17 @@ TEST(Samples_behaviour, go_the_way_of_their_segments_ends_unless_a_load_or_too_s
     return std::pair{samples.list[20].direction, samples.list[80].direction};
   };
   EXPECT_EQ(directions("out", "home"), (std::pair{1, -1}));
-  EXPECT_EQ(directions("backward", "forward"), (std::pair{1, -1}));  // a stage may count down
   EXPECT_EQ(directions("unload", "load"), (std::pair{-1, 1}));
   EXPECT_EQ(directions("unload", "hold"), (std::pair{-1, -1}));  // a hold keeps what led to it
   EXPECT_EQ(directions("hold", "home"), (std::pair{1, -1}));
+  EXPECT_EQ(directions("forward", "backward"), (std::pair{1, -1}));
+  EXPECT_EQ(directions("backward", "forward"), (std::pair{1, -1}));  // a stage that counts down
   auto& path = recording.tables[0].columns["lateral_displacement"];
   for (std::size_t i = 51; i < path.size(); ++i) path[i] = 1e-7 - 0.01e-7 * static_cast<double>(i % 2);
-  EXPECT_EQ(directions("forward", "forward"), (std::pair{1, 1}));  // it jitters to the end
+  EXPECT_EQ(directions("backward", "forward"), (std::pair{1, -1}));  // the second jitters where it is
+  for (std::size_t i = 51; i < path.size(); ++i) path[i] = path[i - 51];
+  EXPECT_EQ(directions("forward", "backward"), (std::pair{1, -1}));  // positions along a line
+  for (double& x : path) x = -x;
   EXPECT_EQ(directions("forward", "backward"), (std::pair{1, -1}));
 }
 
