@@ -227,11 +227,11 @@ TEST(Relaxation_behaviour, of_rough_bodies_resumes_balances_and_is_the_same_by_b
   c.substrate = c.particle;
   c.substrate.parameters["Relaxation time"] = 0.7;
   c.particle.poisson_ratio = c.substrate.poisson_ratio = 0.34;
-  c.substrate.topography = "generated(rms=2 nm, hurst=0.8, rolloff=530 nm, cutoff=320 nm, seed=4)";
+  c.substrate.topography = "generated(rms=2 nm, hurst=0.8, rolloff=700 nm, cutoff=440 nm, seed=4)";
   c.experiment.normal_load = 10e-6;
   c.experiment.load_steps = 2, c.experiment.hold_steps = 2, c.experiment.hold_time = 2;
   c.experiment.unload = true, c.experiment.unload_steps = 2;
-  c.mesh.interface_spacing = 80e-9;
+  c.mesh.interface_spacing = 110e-9;
   const auto whole = test::solve_and_copy_after(c, folder.path / "whole", folder.path / "cut", 3);
   const SolvedExperiment resumed = test::solve_experiment(c, folder.path / "cut", true);
   c.solver.backend = "assembled";
