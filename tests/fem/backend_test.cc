@@ -14,7 +14,7 @@ namespace {
 using namespace asperity::fem;
 
 ContactSystemOptions options_with_backend(const std::string& backend, Control control = Control::force) {
-  ContactSystemOptions o = asperity::test::wavy_contact(2e9, 4);
+  ContactSystemOptions o = asperity::test::wavy_contact(2e9, 5);
   o.control = control;
   o.backend = backend;
   return o;
@@ -76,9 +76,9 @@ TEST(Backend_behaviour, both_give_the_same_states_of_yielding_bodies) {
     ContactSolver solver(system, accurate);
     ContactState state = solver.first_touch();
     Outcome o{};
-    for (const double load : {60e-6, 100e-6, 30e-6}) {
+    for (const double load : {100e-6, 30e-6}) {
       const Vector<double> before = state.displacement;
-      if (load == 60e-6) solver.push_rigidly(state, 3e-9);
+      if (load == 100e-6) solver.push_rigidly(state, 4e-9);
       EXPECT_TRUE(solver.solve(state, load).converged);
       o.plastic += system.bodies().accept(before, state.displacement).plastic_work;
     }

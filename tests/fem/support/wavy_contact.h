@@ -9,7 +9,7 @@
 namespace asperity::test {
 
 /// yield_stress: of the particle [Pa]; cells_per_radius: of Hertz' contact at 100 uN.
-inline fem::ContactSystemOptions wavy_contact(double yield_stress, double cells_per_radius = 4.5) {
+inline fem::ContactSystemOptions wavy_contact(double yield_stress, double cells_per_radius = 6) {
   fem::ContactSystemOptions o;
   constexpr double a = 230e-9;
   auto& s = o.mesh.sizes;
