@@ -5,9 +5,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
+#include "diagnosis/import/import.h"
 #include "tests/diagnosis/support/made_recording.h"
+#include "tests/support/shared_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -105,6 +108,26 @@ TEST(ForceSign_behaviour, is_turned_in_reading_and_said_in_the_recording) {
   EXPECT_EQ(read.tables[0].column("lateral_force")[20], -2e-6);
   ASSERT_EQ(read.remarks.size(), 1U);
   EXPECT_NE(read.remarks[0].find("loop.csv"), std::string::npos);
+}
+
+/// A friction image of a polymer blend, whose lateral channel is larger on the way back.
+TEST(ForceSign_other_code, of_a_measured_friction_image_follows_from_its_loops) {
+  ASPERITY_SHARED_FILE_OR_SKIP(file, "recordings/lfm_SBS-PMMA_loops_32lines.csv");
+  for (const char* sign : {"", "-1 * "}) {
+    ImportOptions options;
+    options.mode = Motion::sliding;
+    options.radius = 10e-9, options.substrate_modulus = 3e9, options.substrate_poisson = 0.4;
+    options.columns = {"run = line", "lateral_displacement [um] = x_um",
+                       std::string("lateral_force:forward [nN] = ") + sign + "lateral_fwd_V",
+                       std::string("lateral_force:backward [nN] = ") + sign + "lateral_bwd_V",
+                       "normal_force [nN] = 20"};
+    Recording recording = import_recording(file, options);
+    const std::vector<double> before = recording.tables[0].column("lateral_displacement");
+    turn_displacement_along_force(recording);
+    const bool turns = std::string(sign).empty();
+    EXPECT_EQ(recording.remarks.size(), turns ? 1U : 0U);
+    EXPECT_EQ(recording.tables[0].column("lateral_displacement")[5], (turns ? -1 : 1) * before[5]);
+  }
 }
 
 }  // namespace
