@@ -141,7 +141,7 @@ Recording read_recording(const fs::path& given) {
   for (const auto& table : json["tables"])
     recording.tables.push_back(table_of(table, recording.mode, recording.folder, file));
   check_recording(recording);
-  turn_displacement_along_force(recording);
+  turn_signs_to_dissipate(recording);
   return recording;
 }
 

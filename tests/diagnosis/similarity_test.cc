@@ -88,7 +88,7 @@ TEST(Similar_analytic, a_loop_is_the_same_from_the_other_side) {
     for (double& x : turned.tables[0].columns["lateral_displacement"]) x = -x;
     if (turns_force)
       for (double& f : turned.tables[0].columns["lateral_force"]) f = -f;
-    turn_displacement_along_force(turned);
+    turn_signs_to_dissipate(turned);
     EXPECT_EQ(turned.remarks.empty(), turns_force);
     const Diagnosis there = diagnose(turned);
     EXPECT_EQ(there.verdict, here.verdict) << there.in_words;
