@@ -11,36 +11,63 @@
 namespace asperity {
 namespace {
 
-/// Number, sum and sum of squares of a force [N] in one direction of motion.
+/// Sums over the forces f [N] in one direction of motion and their places k in the run.
 struct ForceInDirection {
-  double count = 0, sum = 0, squares = 0;
+  double count = 0, f = 0, k = 0, ff = 0, kk = 0, fk = 0;
 
-  void add(double force) { count += 1, sum += force, squares += force * force; }
-  double mean() const { return count > 0 ? sum / count : 0; }
+  void add(double force, double place) {
+    count += 1, f += force, k += place, ff += force * force, kk += place * place, fk += force * place;
+  }
+  double mean() const { return count > 0 ? f / count : 0; }
+  double place() const { return count > 0 ? k / count : 0; }
   double over_count() const { return count > 0 ? 1 / count : 0; }
-  double about_mean() const { return std::max(0.0, squares - sum * mean()); }  // round-off of a constant
+  /// Sums of products about the means.
+  double force_squared() const { return ff - f * mean(); }
+  double place_squared() const { return kk - k * place(); }
+  double force_and_place() const { return fk - f * place(); }
+};
+
+/// Of motion in both directions, force on the way forward less that on the way back, without a drift of the
+/// force that goes on all the time (analysis of covariance: Fisher 1932). A tilt, whose force rises one way
+/// and falls the other, is no drift.
+struct ForceDifference {
+  double value, scatter, sd;  ///< scatter: of a sample; sd: standard deviation of the value [N]
+
+  ForceDifference(const ForceInDirection& forward, const ForceInDirection& back) {
+    value = forward.mean() - back.mean();  // one of them is 0 in one direction alone
+    double squares = forward.force_squared() + back.force_squared();
+    double variance = forward.over_count() + back.over_count();  // over that of a sample
+    if (forward.count > 1 && back.count > 1) {
+      const double between = forward.place() - back.place();
+      const double products = forward.force_and_place() + back.force_and_place();
+      const double places = forward.place_squared() + back.place_squared(), drift = products / places;
+      value -= drift * between;
+      squares -= drift * products;
+      variance += between * between / places;
+    }
+    // Round-off of a constant force may leave less than nothing.
+    scatter = std::sqrt(std::max(0.0, squares) / std::max(1.0, forward.count + back.count));
+    sd = scatter * std::sqrt(variance);
+  }
 };
 
 /// +1: what drives the motion does work, and friction dissipates it; -1: friction would give energy; 0: this
 /// run does not tell.
 int sign_of_dissipation(const Samples& samples, const SampleRun& run) {
-  constexpr double of_chance = 5;  // standard deviations of the means' difference
-  ForceInDirection rising, falling;
+  constexpr double of_chance = 5;  // standard deviations
+  ForceInDirection forward, back;
   bool contradicts_names = true;
   for (std::size_t i = run.begin; i < run.end; ++i) {
     const Sample& s = samples.list[i];
     const std::string& name = samples.segment_names[static_cast<std::size_t>(s.segment)];
     if (!s.counts || name == "hold") continue;
-    (s.direction > 0 ? rising : falling).add(s.response);
+    (s.direction > 0 ? forward : back).add(s.response, static_cast<double>(i - run.begin));
     contradicts_names = contradicts_names && name == (s.direction > 0 ? "backward" : "forward");
   }
-  if ((rising.count == 0 || falling.count == 0) && !contradicts_names) return 0;
-  const double difference = rising.mean() - falling.mean();  // one of them is 0 in one direction alone
-  const double count = rising.count + falling.count;
-  const double scatter = std::sqrt((rising.about_mean() + falling.about_mean()) / std::max(1.0, count));
-  const double by_chance = std::sqrt(rising.over_count() + falling.over_count());
-  if (!(std::abs(difference) > scatter * std::max(1.0, of_chance * by_chance))) return 0;
-  return difference > 0 ? 1 : -1;
+  if ((forward.count == 0 || back.count == 0) && !contradicts_names) return 0;
+  const ForceDifference difference(forward, back);
+  if (!(std::abs(difference.value) > std::max(difference.scatter, of_chance * difference.sd))) return 0;
+  return difference.value > 0 ? 1 : -1;
 }
 
 /// How many runs of a table dissipate, and how many would give energy.

@@ -53,8 +53,31 @@ TEST(ForceSign_analytic, is_turned_where_a_loop_would_give_energy) {
 }
 
 TEST(ForceSign_analytic, stays_where_scatter_hides_it) {
-  EXPECT_TRUE(is_turned(slid(-2, 2, 3.5)));  // 4 is 5.1 standard deviations of two means of 40 samples
-  EXPECT_FALSE(is_turned(slid(-2, 2, 3.7)));
+  // Two means of 40 samples, 40 apart, about a drift as fits best: the standard deviation of their difference
+  // is sqrt(2/40 + 40^2/(2 40^3/12)) = 0.447 of the scatter s, and five of it are asked. Signs in turn have a
+  // drift of -40 s/(2 40^3/12) of their own, so that 4 + 0.15 s meets 2.24 s at 1.917.
+  EXPECT_TRUE(is_turned(slid(-2, 2, 1.9)));
+  EXPECT_FALSE(is_turned(slid(-2, 2, 1.95)));
+}
+
+TEST(ForceSign_analytic, is_told_beside_a_drift_of_the_force_and_a_tilt) {
+  const auto with = [](double friction, double drift, double tilt) {
+    Recording loop = slid(friction, -friction);
+    auto& force = loop.tables[0].columns["lateral_force"];
+    const auto& path = loop.tables[0].column("lateral_displacement");
+    for (std::size_t i = 0; i < force.size(); ++i)
+      force[i] += 1e-6 * drift * static_cast<double>(i) / 80 + 1e-6 * tilt * path[i] / 39e-9;
+    return loop;
+  };
+  for (const double drift : {-20.0, 20.0}) {  // ten times the friction over the loop
+    EXPECT_FALSE(is_turned(with(2, drift, 0))) << drift;
+    EXPECT_TRUE(is_turned(with(-2, drift, 0))) << drift;
+    EXPECT_FALSE(is_turned(with(0, drift, 0))) << drift;
+  }
+  for (const double tilt : {-5.0, 5.0}) {
+    EXPECT_FALSE(is_turned(with(2, 0, tilt))) << tilt;
+    EXPECT_TRUE(is_turned(with(-2, 0, tilt))) << tilt;
+  }
 }
 
 TEST(ForceSign_analytic, of_motion_in_one_direction_is_told_only_against_its_name) {
@@ -92,11 +115,11 @@ TEST(ForceSign_behaviour, is_that_of_most_runs_and_the_others_are_counted) {
 }
 
 TEST(ForceSign_analytic, is_not_told_by_chance) {
-  Recording few = slid(-2, 2, 2.5);
+  Recording few = slid(-2, 2, 1.5);
   EXPECT_TRUE(is_turned(few));
   for (auto& [name, values] : few.tables[0].columns) values.erase(values.begin() + 6, values.end() - 6);
   const Recording as_given = few;
-  turn_signs_to_dissipate(few);  // 6 and 6 samples, the means' difference 2.8 of its standard deviations
+  turn_signs_to_dissipate(few);  // 6 and 6 samples: 2.3 standard deviations
   EXPECT_EQ(few.tables[0].columns, as_given.tables[0].columns);
 }
 

@@ -1,7 +1,9 @@
 // Engines that are missing, fail or print something else: one sentence with their own message and what to do.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "core/error.h"
 #include "tests/engines/engine_support.h"
@@ -50,6 +52,20 @@ TEST(FailingEngine_behaviour, lammps_is_quoted_with_its_own_error) {
   EXPECT_CONTAINS(text, "LAMMPS failed: \"ERROR: Unrecognized fix style (src/modify.cpp:900)\"");
   EXPECT_CONTAINS(text, "use that one, or name it with --program");
   EXPECT_CONTAINS(text, "engine.log");
+}
+
+TEST(FailingEngine_behaviour, a_program_of_the_users_own_may_start_ranks_and_the_engine_s_starts_alone) {
+  const std::string says = "echo \"ERROR: network '$OMPI_MCA_btl'\"; exit 1";
+  EXPECT_CONTAINS(message(Lammps(), says), "network ''");
+  const TemporaryFolder folder;
+  const auto fake = folder.write("lmp", "#!/bin/sh\n" + says + "\n");
+  std::filesystem::permissions(fake, std::filesystem::perms::owner_all);
+  const std::string path = ::getenv("PATH");
+  ::setenv("PATH", (folder.path.string() + ":" + path).c_str(), 1);
+  const std::string own = message_of<WorkError>(
+      [&] { run_engine(Lammps(), canonical_experiment(Motion::sliding), folder.path / "run"); });
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_CONTAINS(own, "network 'self'");
 }
 
 TEST(FailingEngine_behaviour, lammps_without_its_granular_package_is_said_to_lack_it) {
