@@ -6,18 +6,18 @@
 
 #include "core/printed.h"
 #include "diagnosis/choose/judged_sets.h"
-#include "diagnosis/choose/law_error.h"
+#include "diagnosis/choose/law_shifts.h"
 #include "diagnosis/fit/likely_surface.h"
 
 namespace asperity {
 namespace {
 
-/// The interval with what the laws may be off by in it: two standard deviations are taken for the accuracy.
-DiagnosedParameter widened(DiagnosedParameter p, const FreeParameter& free, double accuracy, double by_mesh) {
+/// The interval with what laws and mesh may be off by in it: `by_laws` at 95 %, `by_mesh` one deviation.
+DiagnosedParameter widened(DiagnosedParameter p, const FreeParameter& free, double by_laws, double by_mesh) {
   constexpr double two_sided_95 = 1.959964;
-  const double law = std::hypot(accuracy * p.value, two_sided_95 * by_mesh);
-  p.low = std::max(free.low, p.value - std::hypot(p.value - p.low, law));
-  p.high = std::min(free.high, p.value + std::hypot(p.high - p.value, law));
+  const double model = std::hypot(by_laws, two_sided_95 * by_mesh);
+  p.low = std::max(free.low, p.value - std::hypot(p.value - p.low, model));
+  p.high = std::min(free.high, p.value + std::hypot(p.high - p.value, model));
   return p;
 }
 
@@ -34,12 +34,13 @@ std::vector<double> shifts_by_mesh_errors(const FitProblem& problem, const Model
   std::vector<double> shifts(fit.values.size(), 0.0);
   if (!fit.explanation->correction()) return shifts;
   constexpr int steps = 6;
+  const ModelFit at = refitted(problem, fit, problem.thin, false, steps);
   for (auto& explanation : off_by_mesh_errors(fit)) {
-    ModelFit off = fit;
+    ModelFit off = at;
     off.explanation = explanation;
     off = refitted(problem, off, problem.thin, false, steps);
     for (std::size_t k = 0; k < shifts.size(); ++k)
-      shifts[k] = std::hypot(shifts[k], off.values[k] - fit.values[k]);
+      shifts[k] = std::hypot(shifts[k], off.values[k] - at.values[k]);
   }
   return shifts;
 }
@@ -47,15 +48,15 @@ std::vector<double> shifts_by_mesh_errors(const FitProblem& problem, const Model
 }  // namespace
 
 std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
-                                               double probability) {
+                                               const ModelFit& baseline, double probability) {
   std::vector<DiagnosedEffect> list;
   const auto& effects = fit.explanation->effects();
   const double inflation =
       std::max(1.0, fit.cost / static_cast<double>(std::max<std::size_t>(1, fit.count))) *
       shared_variance(problem.samples, residual_beyond_surfaces(problem, fit), problem.noise);
   const ModelFit known = with_intervals(problem, fit);
-  const double accuracy = accuracy_of(problem, fit);
-  const std::vector<double> by_mesh = shifts_by_mesh_errors(problem, fit);
+  const std::vector<double> by_laws = half_widths_by_laws(problem, fit, baseline),
+                            by_mesh = shifts_by_mesh_errors(problem, fit);
   // A pull-off force or a work of adhesion is known no better, even where a refit moves the range instead.
   const auto& correction = fit.explanation->correction();
   const double of_attraction = correction ? correction->attraction_error() : 0;
@@ -70,16 +71,16 @@ std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const 
           d.kind == EffectKind::contact && (as_fitted.unit == "N" || as_fitted.unit == "J/m^2");
       const double own = is_size ? of_attraction : 0;
       effect.parameters.push_back(
-          widened(as_fitted, free, accuracy, std::max(by_mesh[k], own * std::abs(as_fitted.value))));
+          widened(as_fitted, free, by_laws[k], std::max(by_mesh[k], own * std::abs(as_fitted.value))));
     }
     list.push_back(effect);
   }
   return list;
 }
 
-bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit,
+bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline,
                                const std::vector<const Effect*>& known) {
-  for (const DiagnosedEffect& effect : described_effects(problem, fit, 1)) {
+  for (const DiagnosedEffect& effect : described_effects(problem, fit, baseline, 1)) {
     const Effect& of = effect_of(effect.id);
     if (std::find(known.begin(), known.end(), &of) != known.end()) continue;
     // The case's own value is one among others: its interval holds a mesh error that the evidence knows.

@@ -7,14 +7,14 @@
 
 namespace asperity {
 
-/// Effects of a fit with what their laws may be off by in the intervals.
+/// Effects of a fit with what their laws may be off by in the intervals. baseline: the simulation by itself.
 /// probability [-].
 std::vector<DiagnosedEffect> described_effects(const FitProblem& problem, const ModelFit& fit,
-                                               double probability);
+                                               const ModelFit& baseline, double probability);
 
 /// Whether an interval that described_effects() gives holds the value with which there is no effect; not
 /// asked of those that are `known` to be there.
-bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit,
+bool is_described_as_no_effect(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline,
                                const std::vector<const Effect*>& known);
 
 /// Numbers of what a fit leaves, and of what was held out: deviations as they are, chi-square beyond what is

@@ -60,10 +60,10 @@ class Diagnoser {
     bool seems_noise = !problem_.noise.is_absolute || is_noise_as_known(problem_, before, baseline_.count);
     say("predicting data kept out of the fit");
     baseline_held_out_ = predict_held_out(problem_, finished(problem_, baseline_), blocks);
-    judged_ = judged_sets(problem_, search_, *scanner_of_noise, blocks, baseline_held_out_,
-                          [&](const ModelFit& fit) {
-                            return is_described_as_no_effect(problem_, fit, search_.shown_off_contact);
-                          });
+    judged_ = judged_sets(
+        problem_, search_, *scanner_of_noise, blocks, baseline_held_out_, [&](const ModelFit& fit) {
+          return is_described_as_no_effect(problem_, fit, baseline_, search_.shown_off_contact);
+        });
     if (judged_.list.empty() && !seems_noise) seems_noise = is_noise_that_neighbours_share(before);
     describe_common(before);
     if (!judged_.list.empty())
@@ -182,7 +182,7 @@ class Diagnoser {
     result_.remaining = result_.mismatch;
     result_.improved = result_.baseline;
     if (verdict == Verdict::unexplained && mapping_)
-      result_.alternatives = alternatives_left_open(problem_, mapping_->left_open());
+      result_.alternatives = alternatives_left_open(problem_, baseline_, mapping_->left_open());
     if (!result_.alternatives.empty()) result_.verdict = Verdict::ambiguous;
     if (result_.verdict == Verdict::unexplained) remark_all(remarks_on_wave(problem_));
     if (result_.verdict == Verdict::unexplained && search_.explains())
@@ -194,7 +194,7 @@ class Diagnoser {
   /// The best fit of an unexplained recording, beside the simulation and not in its place.
   void show_nearest() {
     const ModelFit best = finished(problem_, search_.best_within_bounds().fit);
-    result_.nearest = described_effects(problem_, best, 0);
+    result_.nearest = described_effects(problem_, best, baseline_, 0);
     result_.with_nearest =
         quality_of(problem_, best, predict_held_out(problem_, best, blocks_of(problem_.samples)));
     remark_all(remarks_on_nearest(result_));
@@ -225,7 +225,7 @@ class Diagnoser {
     const auto open =
         mapping_ ? open_beside(mapping_->left_open(), chosen.fit, clean) : std::vector<const OpenSet*>{};
     for (const OpenSet* set : open) weight += set->weight();
-    result_.left_out = described_effects(problem_, chosen.fit, 1 / weight);
+    result_.left_out = described_effects(problem_, chosen.fit, baseline_, 1 / weight);
     const std::string advice = open.empty() ? what_would_show(chosen) : open.front()->told_by;
     bool ambiguous = !advice.empty();
     std::string tells_apart = advice;
@@ -234,7 +234,7 @@ class Diagnoser {
       AlternativeExplanation alternative;
       alternative.probability = std::exp(-beside.difference) / weight;
       alternative.held_out_chi2_reduced = rival->held_out.chi2_reduced;
-      alternative.effects = described_effects(problem_, rival->fit, alternative.probability);
+      alternative.effects = described_effects(problem_, rival->fit, baseline_, alternative.probability);
       alternative.told_apart_by = beside.is_near
                                       ? experiment_that_tells_apart(problem_, chosen.fit, rival->fit)
                                       : "these data distinguish them";
@@ -243,7 +243,7 @@ class Diagnoser {
       result_.alternatives.push_back(alternative);
     }
     for (const OpenSet* set : open)
-      result_.alternatives.push_back(alternative_left_open(problem_, *set, set->weight() / weight));
+      result_.alternatives.push_back(alternative_left_open(problem_, baseline_, *set, weight));
     result_.verdict = ambiguous ? Verdict::ambiguous : clean ? Verdict::explained : Verdict::partly_explained;
     if (ambiguous) {
       const AlternativeExplanation first{result_.left_out, 1 / weight, chosen.held_out.chi2_reduced,

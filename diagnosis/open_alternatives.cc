@@ -7,14 +7,14 @@
 
 namespace asperity {
 
-AlternativeExplanation alternative_left_open(const FitProblem& problem, const OpenSet& set,
-                                             double probability) {
+AlternativeExplanation alternative_left_open(const FitProblem& problem, const ModelFit& baseline,
+                                             const OpenSet& set, double all_weights) {
   FitProblem on_part = problem;
   on_part.samples = set.part;
   const ModelFit fit = finished(on_part, set.fit);
   AlternativeExplanation alternative;
-  alternative.effects = described_effects(on_part, fit, probability);
-  alternative.probability = probability;
+  alternative.probability = set.weight() / all_weights;
+  alternative.effects = described_effects(on_part, fit, baseline, alternative.probability);
   alternative.held_out_chi2_reduced = predict_held_out(on_part, fit, blocks_of(set.part)).chi2_reduced;
   alternative.told_apart_by = set.told_by;
   return alternative;
@@ -29,6 +29,7 @@ std::vector<const OpenSet*> open_beside(const std::vector<OpenSet>& sets, const 
 }
 
 std::vector<AlternativeExplanation> alternatives_left_open(const FitProblem& problem,
+                                                           const ModelFit& baseline,
                                                            const std::vector<OpenSet>& sets) {
   std::vector<const OpenSet*> able;
   for (const OpenSet& set : sets)
@@ -47,8 +48,7 @@ std::vector<AlternativeExplanation> alternatives_left_open(const FitProblem& pro
   std::stable_sort(able.begin(), able.end(),
                    [](const OpenSet* a, const OpenSet* b) { return a->behind < b->behind; });
   std::vector<AlternativeExplanation> list;
-  for (const OpenSet* set : able)
-    list.push_back(alternative_left_open(problem, *set, set->weight() / weight));
+  for (const OpenSet* set : able) list.push_back(alternative_left_open(problem, baseline, *set, weight));
   return list;
 }
 

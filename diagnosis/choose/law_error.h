@@ -93,9 +93,17 @@ class LawErrors {
   Group curve_;  ///< all samples, with cosines along what is driven
 };
 
-/// What the least exact law of a set may be off by, relative: a law of the contact by what it states, since
+/// What an effect of a fit changes at each sample, in the unit of the response; what a coefficient that is
+/// calibrated anyway would take over is no part of it. with: what the fit says there; baseline: the
+/// simulation by itself.
+std::vector<double> contribution_of(const Effect& effect, const FitProblem& problem, const Samples& samples,
+                                    const ModelFit& fit, const std::vector<double>& with,
+                                    const ModelFit& baseline);
+
+/// What the law of one effect of a set may be off by, relative: a law of the contact by what it states, since
 /// its own numbers may be off in a way that its parameters take up; an instrument's, or another value of the
 /// simulation, by what the data show.
-double accuracy_of(const FitProblem& problem, const ModelFit& fit);
+/// Returns a share [-].
+double accuracy_of(const Effect& effect, const FitProblem& problem, const ModelFit& fit);
 
 }  // namespace asperity

@@ -38,6 +38,24 @@ LawError error_of_relaxation(const ModelFit& fit, const Explanation& elastic, co
 
 }  // namespace
 
+std::vector<double> contribution_of(const Effect& effect, const FitProblem& problem, const Samples& samples,
+                                    const ModelFit& fit, const std::vector<double>& with,
+                                    const ModelFit& baseline) {
+  std::vector<const Effect*> others;
+  for (const Effect* other : fit.explanation->effects())
+    if (other != &effect) others.push_back(other);
+  const ModelFit fewer = fit.only(problem, others, baseline);
+  const auto without = fewer.simulate(samples);
+  double both = 0, own = 0;
+  for (std::size_t i = 0; i < with.size(); ++i)
+    if (samples.list[i].counts) both += with[i] * without[i], own += without[i] * without[i];
+  const bool calibrated = !fewer.values.empty() && fewer.explanation->parameters().front().effect < 0;
+  const double scale = calibrated && own > 0 ? both / own : 1;
+  std::vector<double> contribution(with.size());
+  for (std::size_t i = 0; i < with.size(); ++i) contribution[i] = with[i] - scale * without[i];
+  return contribution;
+}
+
 Misfit shared_misfit(const FitProblem& problem, const ModelFit& fit) {
   const LikelySurface surface(problem, fit, problem.samples);
   Misfit misfit;
@@ -84,19 +102,8 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
   const double largest = *std::max_element(changed.begin(), changed.end());
   for (const Effect* left_out : effects) {
     if (fit.is_confirmed && left_out->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
-    std::vector<const Effect*> others;
-    for (const Effect* effect : effects)
-      if (effect != left_out) others.push_back(effect);
-    const ModelFit fewer = fit.only(problem, others, baseline);
-    const auto without = fewer.simulate(samples);
-    // What a coefficient that is calibrated anyway would take over is no contribution.
-    double both = 0, own = 0;
-    for (std::size_t i = 0; i < with.size(); ++i)
-      if (samples.list[i].counts) both += with[i] * without[i], own += without[i] * without[i];
-    const bool calibrated = !fewer.values.empty() && fewer.explanation->parameters().front().effect < 0;
-    const double scale = calibrated && own > 0 ? both / own : 1;
-    LawError error(with.size());
-    for (std::size_t i = 0; i < error.size(); ++i) error[i] = std::abs(with[i] - scale * without[i]);
+    LawError error = contribution_of(*left_out, problem, samples, fit, with, baseline);
+    for (double& part : error) part = std::abs(part);
     error = largest_nearby(samples, error);
     const EffectDescription& law = left_out->description();
     for (std::size_t i = 0; i < error.size(); ++i)
@@ -116,17 +123,13 @@ LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFi
                   count);
 }
 
-double accuracy_of(const FitProblem& problem, const ModelFit& fit) {
-  double accuracy = 0;
-  for (const Effect* effect : fit.explanation->effects()) {
-    if (fit.is_confirmed && effect->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
-    // Not one that states more than is usual, since others write it otherwise.
-    const EffectDescription& law = effect->description();
-    const bool is_exact = (law.kind == EffectKind::instrument || effect->is_another_value()) &&
-                          law.accuracy <= EffectDescription::usual_accuracy;
-    accuracy = std::max(accuracy, law.accuracy * (is_exact ? fit.part_of_bound : 1));
-  }
-  return accuracy;
+double accuracy_of(const Effect& effect, const FitProblem& problem, const ModelFit& fit) {
+  if (fit.is_confirmed && effect.enters_by(problem.experiment) == EntersBy::finite_elements) return 0;
+  // Not one that states more than is usual, since others write it otherwise.
+  const EffectDescription& law = effect.description();
+  const bool is_exact = (law.kind == EffectKind::instrument || effect.is_another_value()) &&
+                        law.accuracy <= EffectDescription::usual_accuracy;
+  return law.accuracy * (is_exact ? fit.part_of_bound : 1);
 }
 
 }  // namespace asperity

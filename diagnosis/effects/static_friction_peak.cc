@@ -17,7 +17,12 @@ class StaticFrictionPeak : public Effect {
                                      "To set the contact in motion takes more than to keep it moving; the "
                                      "excess fades over a slip length.",
                                      EffectKind::contact,
-                                     {Motion::sliding, Motion::rolling, Motion::rail}};
+                                     {Motion::sliding, Motion::rolling, Motion::rail},
+                                     {},
+                                     {},
+                                     2,
+                                     true,
+                                     0.15};  // linear in slip (Ida 1972, J. Geophys. Res. 77) in its place
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

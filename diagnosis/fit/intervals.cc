@@ -84,11 +84,33 @@ class Valley {
   VectorXd along_, floor_;
 };
 
+/// Whether other parameters make up for nearly all that one changes: such a valley can wind, and the cost
+/// along a straight way says little of its floor. Squared multiple correlation, 1 - 1/(C_kk (C^-1)_kk).
+bool can_wind(const Eigen::MatrixXd& covariance, Index moved) {
+  constexpr double made_up_for = 0.9;
+  std::vector<Index> free;
+  for (Index k = 0; k < covariance.rows(); ++k)
+    if (covariance(k, k) > 0) free.push_back(k);
+  if (free.size() < 2) return false;
+  Eigen::MatrixXd correlation(free.size(), free.size());
+  Index own = 0;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (free[i] == moved) own = static_cast<Index>(i);
+    for (std::size_t j = 0; j < free.size(); ++j)
+      correlation(static_cast<Index>(i), static_cast<Index>(j)) =
+          covariance(free[i], free[j]) /
+          std::sqrt(covariance(free[i], free[i]) * covariance(free[j], free[j]));
+  }
+  const double left = 1 / correlation.completeOrthogonalDecomposition().pseudoInverse()(own, own);
+  return !(left > 1 - made_up_for);
+}
+
 /// Of two standard deviations, how much of them the cost takes to rise as much as a parabola does in two.
-double stretch_of(Valley valley, int side, bool is_smooth) {
-  const double by_parabola = valley.straight(2 * side);
+double stretch_of(Valley valley, int side, bool is_smooth, bool winds) {
+  double by_parabola = valley.straight(2 * side);
   // A straight way crosses a snap that a small change of the others keeps where it is.
   if (!is_smooth && by_parabola >= rise) return 1;
+  if (is_smooth && winds) by_parabola = std::min(by_parabola, valley.along_floor(2 * side));
   if (is_smooth && by_parabola < rise * nearly * nearly && by_parabola > rise / (nearly * nearly)) return 1;
   const auto rise_at = [&](double factor) {
     return is_smooth ? valley.along_floor(2 * side * factor) : valley.straight(2 * side * factor);
@@ -123,8 +145,9 @@ ModelFit with_intervals(const FitProblem& problem, const ModelFit& fit) {
     std::pair<double, double> stretch{1, 1};
     if (sd > 0) {
       const Valley valley(residuals, bounds, x, least, inflation, k, fit.covariance.col(k) / sd);
-      stretch = {stretch_of(valley, -1, explanation.is_smooth()),
-                 stretch_of(valley, 1, explanation.is_smooth())};
+      const bool winds = can_wind(fit.covariance, k);
+      stretch = {stretch_of(valley, -1, explanation.is_smooth(), winds),
+                 stretch_of(valley, 1, explanation.is_smooth(), winds)};
     }
     result.stretch.push_back(stretch);
   }

@@ -83,7 +83,7 @@ TEST(HeldParameters_regression, are_free_where_the_data_earn_them_and_count_only
     } else {
       EXPECT_EQ(fit.values[2], 0);
     }
-    const auto said = described_effects(problem, fit, 1);
+    const auto said = described_effects(problem, fit, fit_explanation(problem, {}), 1);
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].parameters.size(), zero == 0 ? 2u : 3u);
     const double n = static_cast<double>(layer.fit.count);

@@ -163,21 +163,17 @@ TEST(LawBounds_analytic, accuracy_is_what_the_data_show_of_an_instrument_and_wha
   FitProblem problem;
   problem.experiment = test::experiment(Motion::normal);
   problem.choice = completed({}, problem.experiment);
-  const auto accuracy = [&](const std::vector<const char*>& names, double part) {
-    std::vector<const Effect*> effects;
-    for (const char* name : names) effects.push_back(&effect_of(name));
+  const auto accuracy = [&](const char* name, double part) {
     ModelFit fit;
-    fit.explanation = std::make_shared<Explanation>(problem.experiment, problem.choice, effects);
     fit.part_of_bound = part;
-    return accuracy_of(problem, fit);
+    return accuracy_of(effect_of(name), problem, fit);
   };
   const double of_compliance = effect_of("instrument_compliance").description().accuracy,
                of_yielding = effect_of("bulk_plasticity").description().accuracy;
-  EXPECT_NEAR(accuracy({"instrument_compliance"}, 0.25), 0.25 * of_compliance, 1e-15);
-  EXPECT_EQ(accuracy({"bulk_plasticity"}, 0.25), of_yielding);
+  EXPECT_NEAR(accuracy("instrument_compliance", 0.25), 0.25 * of_compliance, 1e-15);
+  EXPECT_EQ(accuracy("bulk_plasticity", 0.25), of_yielding);
   // A piezo's loop is another curve with each author.
-  EXPECT_EQ(accuracy({"actuator_hysteresis"}, 0.25), effect_of("actuator_hysteresis").description().accuracy);
-  EXPECT_EQ(accuracy({"bulk_plasticity", "instrument_compliance"}, 0.25), of_yielding);
+  EXPECT_EQ(accuracy("actuator_hysteresis", 0.25), effect_of("actuator_hysteresis").description().accuracy);
 }
 
 TEST(LawBounds_behaviour, a_compliance_is_known_as_well_as_the_noise_lets_it) {
