@@ -220,7 +220,8 @@ TEST(Relaxation_analytic, the_mesh_holds_the_relaxed_contact_and_does_not_travel
   EXPECT_FALSE(travels(c));
 }
 
-/// Rough, both bodies relaxing, pressed, held and drawn back: resumed in the hold, and by the other solver.
+/// Rough, both bodies relaxing, pressed, held and drawn back: resumed in the hold, and by the other solver
+/// until the end of it.
 TEST(Relaxation_behaviour, of_rough_bodies_resumes_balances_and_is_the_same_by_both_solvers) {
   const test::TemporaryFolder folder;
   CaseInput c = pressed_polymer(0.4, 3);
@@ -235,7 +236,10 @@ TEST(Relaxation_behaviour, of_rough_bodies_resumes_balances_and_is_the_same_by_b
   const auto whole = test::solve_and_copy_after(c, folder.path / "whole", folder.path / "cut", 3);
   const SolvedExperiment resumed = test::solve_experiment(c, folder.path / "cut", true);
   c.solver.backend = "assembled";
+  c.experiment.unload = false;
   const SolvedExperiment assembled = test::solve_experiment(c, folder.path / "assembled");
+  const std::size_t held = assembled.history.rows.size();
+  ASSERT_EQ(held, 5u);
   EXPECT_LT(whole.result["balance"]["force"].get<double>(), 1e-5);
   EXPECT_LT(whole.result["balance"]["energy"].get<double>(), 0.02);
   for (std::size_t k = 0; k < whole.history.rows.size(); ++k)
@@ -243,7 +247,7 @@ TEST(Relaxation_behaviour, of_rough_bodies_resumes_balances_and_is_the_same_by_b
          {"time [s]", "normal_displacement [m]", "plastic_work [J]", "elastic_energy [J]"}) {
       const double expected = whole.at(column, k);
       EXPECT_NEAR(resumed.at(column, k), expected, 1e-6 * std::abs(expected)) << column << k;
-      EXPECT_NEAR(assembled.at(column, k), expected, 1e-3 * std::abs(expected)) << column << k;
+      if (k < held) EXPECT_NEAR(assembled.at(column, k), expected, 1e-3 * std::abs(expected)) << column << k;
     }
   const auto dissipated = whole.history.numbers("dissipated_energy [J]");
   EXPECT_GT(dissipated.front(), 0);
