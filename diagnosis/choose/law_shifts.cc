@@ -12,6 +12,9 @@ namespace {
 /// What a law may be off by at 95 %, as parts of its accuracy [-]. With these the intervals of
 /// docs/diagnosis.md (Challenge) hold the truth as often as they say.
 constexpr double off_in_scale = 0.7, off_in_form = 1;
+/// Over the root mean square of the parts of its accuracy by which a law is off, where data do not tell them
+/// [-].
+constexpr double undecided = 2;
 
 /// Straight from -1 to 1 in the part of the sum of squares that lies before a sample, of mean square 1.
 std::vector<double> straight_along(const std::vector<double>& contribution,
@@ -90,8 +93,10 @@ std::vector<double> half_widths_by_laws(const FitProblem& problem, const ModelFi
     auto ways = forms_of(contribution, problem.thin);
     ways.push_back(contribution);
     for (double& part : ways.back()) part *= off_in_scale;
+    // A form that the fit would leave in its residuals is no larger than these show.
+    const double shown = undecided * fit.part_of_bound * effects[e]->description().accuracy;
     for (const auto& way : ways) {
-      const auto moved = moved_by(problem, at, way, accuracies[e]);
+      const auto moved = moved_by(problem, at, way, std::min(accuracies[e], shown));
       for (std::size_t k = 0; k < half.size(); ++k)
         if (!is_own(k, e)) add(k, moved[k]);
     }
