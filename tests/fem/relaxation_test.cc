@@ -239,7 +239,7 @@ TEST(Relaxation_behaviour, of_rough_bodies_resumes_balances_and_is_the_same_by_b
   c.experiment.unload = false;
   const SolvedExperiment assembled = test::solve_experiment(c, folder.path / "assembled");
   const std::size_t held = assembled.history.rows.size();
-  ASSERT_EQ(held, 5u);
+  ASSERT_EQ(held, 4u);
   EXPECT_LT(whole.result["balance"]["force"].get<double>(), 1e-5);
   EXPECT_LT(whole.result["balance"]["energy"].get<double>(), 0.02);
   for (std::size_t k = 0; k < whole.history.rows.size(); ++k)
