@@ -7,6 +7,7 @@
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <map>
 
 #include "core/error.h"
@@ -22,6 +23,7 @@ constexpr int rigid_body_modes = 6, unknowns_per_hex = 24;
 
 struct AssembledSolver::Trilinos {
   dealii::TrilinosWrappers::SparseMatrix matrix;
+  dealii::TrilinosWrappers::SparseMatrix preconditioned;  // what the hierarchy was made of
   dealii::TrilinosWrappers::PreconditionAMG preconditioner;
 };
 
@@ -47,6 +49,7 @@ void AssembledSolver::recouple(const RigidMotion& motion) {
     throw InputError("the assembled solver cannot roll; set Solver/Backend = matrix-free");
   resolve_rows();
   make_pattern();
+  row_stiffness_.clear();
 }
 
 void AssembledSolver::resolve_rows() {
@@ -189,7 +192,30 @@ void AssembledSolver::update(const std::vector<RowStiffness>& row_stiffness, con
   if (driven_spring != 0 && problem_.level.owns_driven_dof())
     matrix.add(problem_.level.driven_dof(), problem_.level.driven_dof(), driven_spring);
   matrix.compress(dealii::VectorOperation::add);
+  if (!needs_new_hierarchy(row_stiffness)) return;
+  row_stiffness_ = row_stiffness;
+  iterations_at_first_ = iterations_at_last_ = 0;
+  make_hierarchy();
+}
 
+/// A hierarchy of a matrix before serves as long as the same contacts are closed and stick, but for a few,
+/// each of which costs an iteration or two, and while the bodies' tangent is not another.
+bool AssembledSolver::needs_new_hierarchy(const std::vector<RowStiffness>& row_stiffness) const {
+  if (row_stiffness_.size() != row_stiffness.size()) return true;
+  constexpr int few = 8;
+  if (iterations_at_last_ > 2 * iterations_at_first_ + few) return true;
+  constexpr double much = 3;
+  const auto differs = [](double a, double b) { return std::max(a, b) > much * std::min(a, b); };
+  int others = 0;
+  for (std::size_t r = 0; r < row_stiffness.size(); ++r) {
+    const RowStiffness &a = row_stiffness_[r], &b = row_stiffness[r];
+    others += differs(a.normal, b.normal) || differs(a.xx + a.yy, b.xx + b.yy);
+  }
+  return others > few;
+}
+
+void AssembledSolver::make_hierarchy() {
+  trilinos_->preconditioned.copy_from(trilinos_->matrix);
   Teuchos::ParameterList parameters;
   parameters.set("max levels", 10);
   parameters.set("prec type", "MGV");
@@ -209,12 +235,14 @@ void AssembledSolver::update(const std::vector<RowStiffness>& row_stiffness, con
   parameters.set("coarse: type", "Amesos-KLU");
   parameters.set("coarse: max size", 500);
   parameters.set("ML output", 0);
-  trilinos_->preconditioner.initialize(matrix, parameters);
+  trilinos_->preconditioner.initialize(trilinos_->preconditioned, parameters);
 }
 
 int AssembledSolver::solve(Vector<double>& x, const Vector<double>& rhs, double relative_tolerance) const {
-  return conjugate_gradients(problem_.level, trilinos_->matrix, trilinos_->preconditioner, x, rhs,
-                             relative_tolerance);
+  iterations_at_last_ = conjugate_gradients(problem_.level, trilinos_->matrix, trilinos_->preconditioner, x,
+                                            rhs, relative_tolerance);
+  if (iterations_at_first_ == 0) iterations_at_first_ = iterations_at_last_;
+  return iterations_at_last_;
 }
 
 }  // namespace asperity::fem

@@ -33,6 +33,8 @@ class AssembledSolver : public LinearSolver {
   void make_rigid_body_modes();
   void assemble_bodies(const TangentField* tangent);
   void assemble_interface(const std::vector<RowStiffness>& row_stiffness);
+  bool needs_new_hierarchy(const std::vector<RowStiffness>& row_stiffness) const;
+  void make_hierarchy();
 
   LinearProblem problem_;
   dealii::AffineConstraints<double> constraints_;
@@ -40,6 +42,9 @@ class AssembledSolver : public LinearSolver {
   std::vector<std::array<Row, 3>> row_;  ///< components of this rank's share of the contact rows, constrained
                                          ///< nodes replaced by their masters
   std::vector<double> modes_;
+  std::vector<RowStiffness> row_stiffness_;  ///< with which the hierarchy was made
+  mutable int iterations_at_first_ = 0,      ///< of the first solution with it, of the last [-]
+      iterations_at_last_ = 0;
   std::unique_ptr<Trilinos> trilinos_;
 };
 
