@@ -25,13 +25,13 @@ asperity::test::Verified backends(const std::string& what) {
 }
 
 /// Response to a load on the driven plane (force control) or on an interface node with half of the contacts
-/// closed.
-Vector<double> response(ContactSystem& system, int& iterations) {
+/// closed; of the first `turned` rows the other half.
+Vector<double> response(ContactSystem& system, int& iterations, std::size_t turned = 0) {
   std::vector<RowStiffness> stiffness;
   for (std::size_t r = 0; r < system.rows().size(); ++r) {
     const auto& p = system.interface_points()[system.rows()[r].node];
-    stiffness.push_back(std::hypot(p[0], p[1]) < 150e-9 ? system.areas()[r] * system.reduced_modulus() / 20e-9
-                                                        : 0.0);
+    const bool closed = (std::hypot(p[0], p[1]) < 150e-9) != (r < turned);
+    stiffness.push_back(closed ? system.areas()[r] * system.reduced_modulus() / 20e-9 : 0.0);
   }
   system.linear().update(stiffness, nullptr, 0.0);
   Vector<double> x, load;
@@ -61,6 +61,27 @@ TEST(Backend_behaviour, assembled_matrix_is_the_matrix_free_operator) {
     EXPECT_LT(iterations, 60);
     EXPECT_LT(algebraic, 200);
     std::printf("matrix-free %d, assembled %d iterations\n", iterations, algebraic);
+  }
+}
+
+/// Of a matrix in which few contacts have changed, and of one with most of them changed, which needs another.
+TEST(Backend_behaviour, a_hierarchy_of_an_earlier_matrix_gives_the_response_of_its_own) {
+  ContactSystem kept(MPI_COMM_WORLD, options_with_backend("assembled"));
+  int iterations = 0;
+  response(kept, iterations);
+  const std::size_t rows = kept.rows().size();
+  ASSERT_GT(rows, 100u);
+  for (const std::size_t turned : {std::size_t{6}, rows}) {
+    ContactSystem fresh(MPI_COMM_WORLD, options_with_backend("assembled"));
+    int anew = 0;
+    const auto expected = response(fresh, anew, turned);
+    auto difference = response(kept, iterations, turned);
+    difference.zero_out_ghost_values();
+    difference -= expected;
+    EXPECT_LT(difference.linfty_norm() / expected.linfty_norm(), 1e-7) << turned;
+    EXPECT_LT(iterations, 2 * anew + 8) << turned;
+    std::printf("%zu of %zu contacts changed: %d iterations, with a hierarchy of its own %d\n", turned, rows,
+                iterations, anew);
   }
 }
 
