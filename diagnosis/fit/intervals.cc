@@ -15,6 +15,7 @@ using Residuals = std::function<VectorXd(const VectorXd&)>;
 
 constexpr double rise = 4;      // cost at two standard deviations
 constexpr double nearly = 1.3;  // a parabola's width within this factor is believed
+constexpr double found = 1.1;   // ends are bracketed to this factor
 constexpr double widest = 64;
 
 /// The cost about a fit, as one of its parameters moves away from it.
@@ -121,12 +122,11 @@ double stretch_of(Valley valley, int side, bool is_smooth, bool winds) {
   } else {
     while (low > 1 / widest && rise_at(low) >= rise) high = low, low /= 2;
   }
-  while (high > nearly * low) {
+  while (high > found * low) {
     const double middle = std::sqrt(low * high);
     (rise_at(middle) < rise ? low : high) = middle;
   }
-  const double factor = std::sqrt(low * high);
-  return factor > 1 / nearly && factor < nearly ? 1 : factor;
+  return std::sqrt(low * high);
 }
 
 }  // namespace
