@@ -14,6 +14,7 @@ constexpr double off_in_scale = 0.7, off_in_form = 1;
 /// Over the root mean square of the parts of its accuracy by which a law is off, where data do not tell them
 /// [-].
 constexpr double undecided = 2;
+constexpr int steps = 6;  ///< of a refit, whose optimum is near
 
 /// Straight from -1 to 1 in the part of the sum of squares that lies before a sample, of mean square 1.
 std::vector<double> straight_along(const std::vector<double>& contribution,
@@ -56,7 +57,6 @@ std::vector<std::vector<double>> forms_of(const std::vector<double>& contributio
 /// From where a fit stands, with this added to the recorded response.
 std::vector<double> moved_by(const FitProblem& problem, const ModelFit& at, const std::vector<double>& added,
                              double factor) {
-  constexpr int steps = 6;
   Samples samples = problem.thin;
   for (std::size_t i = 0; i < added.size(); ++i) samples.list[i].response += factor * added[i];
   std::vector<double> moved = refitted(problem, at, samples, false, steps).values;
@@ -77,7 +77,6 @@ std::vector<double> half_widths_by_laws(const FitProblem& problem, const ModelFi
     return explanation.parameters()[k].effect == static_cast<int>(e);
   };
   const auto add = [&](std::size_t k, double shift) { half[k] = std::hypot(half[k], shift); };
-  constexpr int steps = 6;
   const ModelFit at = explanation.is_smooth() && effects.size() > 1
                           ? refitted(problem, fit, problem.thin, false, steps)
                           : fit;

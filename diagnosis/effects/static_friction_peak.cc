@@ -22,7 +22,7 @@ class StaticFrictionPeak : public Effect {
                                      {},
                                      2,
                                      true,
-                                     0.15};  // linear in slip (Ida 1972, J. Geophys. Res. 77) in its place
+                                     0.15};  // off a fall linear in slip (Ida 1972) by 13 to 18 % at best
     return d;
   }
   bool can_show(const Experiment& e) const override { return e.has_trace; }

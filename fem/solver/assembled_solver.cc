@@ -198,8 +198,9 @@ void AssembledSolver::update(const std::vector<RowStiffness>& row_stiffness, con
   make_hierarchy();
 }
 
-/// A hierarchy of a matrix before serves as long as the same contacts are closed and stick, but for a few,
-/// each of which costs an iteration or two, and while the bodies' tangent is not another.
+/// A hierarchy of an earlier matrix serves as long as the same contacts are closed and stick, but for a few,
+/// each of which costs an iteration or two, and while iterations show that the bodies' tangent is not
+/// another.
 bool AssembledSolver::needs_new_hierarchy(const std::vector<RowStiffness>& row_stiffness) const {
   if (row_stiffness_.size() != row_stiffness.size()) return true;
   constexpr int few = 8;

@@ -83,6 +83,37 @@ TEST(LawShifts_analytic, a_law_moves_the_parameters_of_another_as_least_squares_
   }
 }
 
+/// On the way back the size falls as it rose, and what grows along the record is odd about the turn: it moves
+/// neither, and of a constant the size does not vary.
+TEST(LawShifts_analytic, along_the_record_is_not_along_the_size) {
+  constexpr double depth = 60 * nm, offset = 30 * uN, slope = 400, states = EffectDescription::usual_accuracy;
+  const Explained both(test::approach_and_back(0, depth, 400), Motion::normal,
+                       {"baseline_tilt", "normal_zero_offset"}, {slope, offset});
+  const auto half = both.half_widths();
+  EXPECT_NEAR(half[0], of_scale * states * slope, 2e-3 * half[0]);
+  EXPECT_NEAR(half[1], states * std::hypot(of_scale * offset, of_form * std::sqrt(3.0) * 0.4 * slope * depth),
+              2e-2 * half[1]);
+}
+
+/// A law of the contact may be off by its bound whatever the residuals show, but moves others by no more than
+/// they show: in proportion, until data do not tell (a mean square of a quarter, of any part).
+TEST(LawShifts_analytic, a_law_of_the_contact_moves_others_as_far_as_residuals_leave_room) {
+  constexpr double depth = 60 * nm, ratio = 1.1, slope = 400, states = EffectDescription::usual_accuracy;
+  Explained both(approach(depth, 400), Motion::normal, {"effective_radius", "baseline_tilt"}, {ratio, slope});
+  both.problem.noise.sd.assign(both.problem.samples.list.size(), 100 * uN);
+  const auto moved = [&](double part) {
+    both.fit.part_of_bound = part;
+    const auto half = both.half_widths();
+    EXPECT_GE(half[0], of_scale * states * ratio * (1 - 1e-9)) << part;
+    return std::sqrt(half[1] * half[1] - std::pow(of_scale * states * part * slope, 2));
+  };
+  const double most = moved(1);
+  EXPECT_GT(most, 0.01 * slope);
+  EXPECT_NEAR(moved(0.5), most, 1e-3 * most);
+  EXPECT_NEAR(moved(0.25), 0.5 * most, 0.02 * most);
+  EXPECT_NEAR(moved(1.0 / 64), most / 32, 0.05 * most / 32);
+}
+
 TEST(LawShifts_analytic, laws_that_state_nothing_move_nothing) {
   Explained both(approach(60 * nm, 100), Motion::normal, {"baseline_tilt", "normal_zero_offset"},
                  {400, 30 * uN});
