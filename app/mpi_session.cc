@@ -12,6 +12,7 @@
 
 #include "core/alone_in_mpi.h"
 #include "core/error.h"
+#include "core/printable.h"
 #include "core/thread_limit.h"
 
 namespace asperity {
@@ -51,7 +52,7 @@ void with_mpi(int threads, const std::function<void()>& work) {
     } catch (const std::exception& error) {
       failure = std::current_exception();
       if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1) {
-        std::fprintf(stderr, "asperity: %s\n", error.what());
+        std::fprintf(stderr, "asperity: %s\n", printable_lines(error.what()).c_str());
         constexpr int failed = 1;
         MPI_Abort(MPI_COMM_WORLD, failed);
       }

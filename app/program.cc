@@ -17,6 +17,7 @@
 #include "core/build_commit.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "core/printable.h"
 #include "core/thread_limit.h"
 
 namespace asperity {
@@ -25,7 +26,7 @@ namespace {
 constexpr int failed = 1, refused = 2;
 
 int say(const std::exception& error, int status) {
-  std::fprintf(stderr, "asperity: %s\n", error.what());
+  std::fprintf(stderr, "asperity: %s\n", printable_lines(error.what()).c_str());
   return status;
 }
 

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <limits>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/read_limits.h"
+#include "core/text_file.h"
 
 namespace asperity {
 namespace {
@@ -63,7 +63,7 @@ std::vector<double> CsvTable::numbers(const std::string& name) const {
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_text_file(path);
   CsvTable table;
   table.rows.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
   std::string line;

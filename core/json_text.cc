@@ -14,6 +14,21 @@ namespace {
   throw InputError(file + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) + ": " + what);
 }
 
+/// ": unexpected '}', expected string literal", of a message that says where before " - " and what was read
+/// last behind it.
+std::string reason_of(const nlohmann::json::parse_error& error) {
+  std::string message = error.what();
+  const auto dash = message.find(" - ");
+  if (dash == std::string::npos) return "";
+  message.erase(0, dash + 3);
+  if (const auto read = message.find("; last read: '"); read != std::string::npos) {
+    const auto expected = message.find("'; expected ", read);
+    message.erase(read, expected == std::string::npos ? expected : expected + 1 - read);
+  }
+  std::replace(message.begin(), message.end(), ';', ',');
+  return ": " + message;
+}
+
 }  // namespace
 
 std::optional<std::size_t> too_deep_at(const std::string& text) {
@@ -45,7 +60,8 @@ nlohmann::ordered_json parse_json(const std::string& text, const std::string& fi
   try {
     return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
-    refuse(text, error.byte, file, "this is not JSON here; correct it or write it again");
+    refuse(text, error.byte, file,
+           "this is not JSON here" + reason_of(error) + "; correct it or write it again");
   } catch (const nlohmann::json::exception&) {
     throw InputError(file + ": it holds a number beyond what a double can be; correct it");
   }

@@ -11,6 +11,7 @@
 #include "core/nearest_name.h"
 #include "core/read_limits.h"
 #include "core/renamed_entries.h"
+#include "core/text_file.h"
 #include "core/text_pieces.h"
 #include "core/utf8.h"
 
@@ -26,10 +27,10 @@ std::string parameter_text(const fs::path& file) {
   if (!error && size > read_limits::largest_parameter_file)
     throw InputError(file.string() + ": holds " + std::to_string(size) +
                      " bytes, more than a parameter file has; pass a case or study file");
-  std::string text = read_file(file);
+  std::string text = plain_text(read_file(file));
   if (text.find('\0') != std::string::npos)
     throw InputError(file.string() + ": this is a binary file, not a parameter file");
-  return as_utf8(std::move(text));
+  return text;
 }
 
 /// Splits off the first word.

@@ -35,6 +35,14 @@ CodePoint decode(const std::string& text, std::size_t at, std::size_t& bytes) {
   return {value, true};
 }
 
+/// Control characters, and marks that hide or turn the direction (Unicode 15, general category Cf and the two
+/// separators of lines).
+bool hides_or_turns(char32_t c) {
+  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xad || c == 0x61c || (c >= 0x200b && c <= 0x200f) ||
+         (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || c == 0xfeff ||
+         (c >= 0xfff9 && c <= 0xfffb) || (c >= 0xe0000 && c <= 0xe0fff);
+}
+
 }  // namespace
 
 void for_each_code_point(const std::string& text, const std::function<void(const CodePoint&)>& action) {
@@ -46,6 +54,18 @@ std::string escape_sequence(const CodePoint& character) {
   const auto value = static_cast<unsigned long>(character.value);
   const bool is_byte = !character.is_valid || value < 0x80;
   return printed(is_byte ? "\\x%02lx" : value < 0x10000 ? "\\u%04lx" : "\\U%08lx", value);
+}
+
+std::string printable_lines(const std::string& text) {
+  std::string lines;
+  std::size_t bytes = 0;
+  for (std::size_t at = 0; at < text.size(); at += bytes) {
+    const CodePoint character = decode(text, at, bytes);
+    const bool stays = character.is_valid && (character.value == '\n' || character.value == '\t' ||
+                                              !hides_or_turns(character.value));
+    lines += stays ? text.substr(at, bytes) : escape_sequence(character);
+  }
+  return lines;
 }
 
 std::string printable(const std::string& text) {

@@ -10,6 +10,10 @@ namespace asperity {
 /// \x1b, all other characters as \u00b5 or \U0001d400: nothing ends the line, hides or turns its direction.
 std::string printable(const std::string& text);
 
+/// The same for a person at a terminal: lines and visible characters of all scripts stay; control characters,
+/// those that turn the direction of writing or take no room, and bytes that are no UTF-8 are escaped.
+std::string printable_lines(const std::string& text);
+
 /// One character of a text in UTF-8.
 struct CodePoint {
   char32_t value = 0;

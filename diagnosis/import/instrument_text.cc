@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/joined.h"
 #include "core/read_limits.h"
-#include "core/utf8.h"
+#include "core/text_file.h"
 #include "diagnosis/recording/cell_text.h"
 #include "diagnosis/recording/file_size.h"
 
@@ -15,12 +15,10 @@ namespace asperity {
 
 InstrumentText read_instrument_text(const std::filesystem::path& file) {
   check_file_size(file, "cut it into experiments");
-  std::string bytes = read_file(file);
+  const std::string bytes = plain_text(read_file(file));
   if (bytes.find('\0') != std::string::npos)
     throw InputError(file.string() +
                      ": is binary, not text; export it as text from the instrument's program");
-  if (bytes.rfind("\xEF\xBB\xBF", 0) == 0) bytes.erase(0, 3);
-  bytes = as_utf8(std::move(bytes));
   InstrumentText text;
   text.file = file.string();
   text.lines.reserve(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1);
@@ -33,7 +31,7 @@ InstrumentText read_instrument_text(const std::filesystem::path& file) {
     if (c == '\n') {
       text.lines.push_back(line);
       line.clear();
-    } else if (c != '\r') {
+    } else {
       line += c;
     }
   }

@@ -6,9 +6,11 @@
 #include "core/error.h"
 #include "core/json_entries.h"
 #include "core/output_folder.h"
+#include "core/text_file.h"
 #include "diagnosis/recording/force_sign.h"
 #include "diagnosis/recording/recording.h"
 #include "diagnosis/recording/recording_table_file.h"
+#include "diagnosis/recording/segment_names.h"
 #include "diagnosis/recording/simulation_json.h"
 
 namespace asperity {
@@ -101,7 +103,7 @@ Recording read_recording(const fs::path& given) {
   const std::string file = path.string();
   Recording recording;
   recording.folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const Json json = parse_json(read_file(path), file);
+  const Json json = parse_json(read_text_file(path), file);
   check_keys(json,
              {"format", "title", "mode", "particle", "substrate", "indenter", "rail_angle", "simulation",
               "noise", "tables"},
@@ -141,6 +143,8 @@ Recording read_recording(const fs::path& given) {
   for (const auto& table : json["tables"])
     recording.tables.push_back(table_of(table, recording.mode, recording.folder, file));
   check_recording(recording);
+  if (const std::string remark = remark_on_segment_names(recording); !remark.empty())
+    recording.remarks.push_back(remark);
   turn_signs_to_dissipate(recording);
   return recording;
 }

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/printed.h"
 #include "core/read_limits.h"
+#include "core/text_file.h"
 #include "diagnosis/recording/cell_text.h"
 #include "diagnosis/recording/file_size.h"
 
@@ -15,8 +15,10 @@ namespace asperity {
 namespace {
 
 struct Column {
-  std::string channel;  ///< "segment" for the text column
+  std::string channel;  ///< "segment" for the text column; empty: nameless, and its cells must be empty
   double factor = 1;    ///< to SI
+
+  bool is_number() const { return !channel.empty() && channel != "segment"; }
 };
 
 std::vector<std::string> cells_of(std::string_view line) {
@@ -31,8 +33,13 @@ std::vector<std::string> cells_of(std::string_view line) {
 
 /// "normal_force [uN]" -> channel and factor.
 Column column_of(const std::string& head) {
-  const auto bracket = head.find('[');
+  const auto bracket = head.find('['), round = head.find('(');
   Column column{cell_text(head.substr(0, bracket)), 1};
+  if (column.channel.empty() && bracket == std::string::npos) return column;
+  if (bracket == std::string::npos && round != std::string::npos)
+    throw InputError("the unit of column '" + head +
+                     "' stands in round brackets; write it in square ones, as '" +
+                     cell_text(head.substr(0, round)) + " [...]'");
   if (column.channel == "segment") return column;
   const Dimension dimension = dimension_of_channel(column.channel);
   if (bracket == std::string::npos) return column;
@@ -49,13 +56,24 @@ Column column_of(const std::string& head) {
   return column;
 }
 
+bool is_unit_of(const std::string& cell, const std::string& channel) {
+  try {
+    unit_factor(cell, dimension_of_channel(channel));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 double number_of(const std::string& cell, const Column& column) {
   if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
   if (end == cell.c_str() || *end != '\0')
-    throw InputError("'" + cell + "' in column '" + column.channel +
-                     "' is not a number; leave the cell empty if the value is missing");
+    throw InputError("'" + cell + "' in column '" + column.channel + "' is not a number; " +
+                     (is_unit_of(cell, column.channel)
+                          ? "write units behind the names, as '" + column.channel + " [" + cell + "]'"
+                          : "leave the cell empty if the value is missing"));
   if (!std::isfinite(value))
     throw InputError("'" + cell + "' in column '" + column.channel +
                      "' is not finite; leave the cell empty if the value is missing");
@@ -63,21 +81,41 @@ double number_of(const std::string& cell, const Column& column) {
 }
 
 std::vector<Column> header_of(const std::vector<std::string>& cells) {
+  for (const char separator : {';', '\t'})
+    if (cells.size() == 1 && cells[0].find(separator) != std::string::npos)
+      throw InputError(std::string("cells are separated by ") + (separator == ';' ? "';'" : "tabs") +
+                       " here; separate them by commas, with points in the numbers");
   std::vector<Column> columns;
   for (const auto& head : cells) {
     columns.push_back(column_of(head));
     for (std::size_t i = 0; i + 1 < columns.size(); ++i)
-      if (columns[i].channel == columns.back().channel)
+      if (columns[i].channel == columns.back().channel && !columns[i].channel.empty())
         throw InputError("column '" + columns.back().channel + "' stands there twice; remove one");
   }
   return columns;
+}
+
+void append_row(const std::vector<std::string>& cells, const std::vector<Column>& columns,
+                const std::vector<std::vector<double>*>& targets, std::vector<std::string>& segments) {
+  if (cells.size() != columns.size())
+    throw InputError(std::to_string(cells.size()) + " cells where the header has " +
+                     std::to_string(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (targets[c])
+      targets[c]->push_back(number_of(cells[c], columns[c]));
+    else if (!columns[c].channel.empty())
+      segments.push_back(cells[c]);
+    else if (!cells[c].empty())
+      throw InputError("column " + std::to_string(c + 1) + " holds '" + cells[c] +
+                       "' and has no name; name it or remove it");
+  }
 }
 
 }  // namespace
 
 void read_table_file(const std::filesystem::path& path, RecordingTable& table) {
   check_file_size(path, "thin it or split it into recordings");
-  const std::string text = read_file(path);
+  const std::string text = read_text_file(path);
   std::vector<Column> columns;
   std::vector<std::vector<double>*> targets;
   std::size_t number = 0;
@@ -95,18 +133,10 @@ void read_table_file(const std::filesystem::path& path, RecordingTable& table) {
       if (columns.empty()) {
         columns = header_of(cells);
         for (const auto& column : columns)
-          targets.push_back(column.channel == "segment" ? nullptr : &table.columns[column.channel]);
+          targets.push_back(column.is_number() ? &table.columns[column.channel] : nullptr);
         continue;
       }
-      if (cells.size() != columns.size())
-        throw InputError(std::to_string(cells.size()) + " cells where the header has " +
-                         std::to_string(columns.size()));
-      for (std::size_t c = 0; c < columns.size(); ++c) {
-        if (targets[c])
-          targets[c]->push_back(number_of(cells[c], columns[c]));
-        else
-          table.segment.push_back(cells[c]);
-      }
+      append_row(cells, columns, targets, table.segment);
     } catch (const InputError& refusal) {
       throw InputError(path.string() + ":" + std::to_string(number) + ": " + refusal.what());
     }

@@ -6,6 +6,7 @@
 
 #include "diagnosis/recording/driven_motion.h"
 #include "diagnosis/recording/inferred_segments.h"
+#include "diagnosis/recording/segment_names.h"
 
 namespace asperity {
 namespace {
@@ -93,8 +94,9 @@ void add_run(Samples& samples, SampleRun run, const Recording& recording,
                                                 : std::vector<std::string>(rows.size(), "series");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Sample s = sample_of(recording, table, rows[i], i);
-    const bool named = !table.segment.empty() && !table.segment[rows[i]].empty();
-    s.segment = segments.index(named ? table.segment[rows[i]] : inferred[i]);
+    const auto named = table.segment.empty() ? std::nullopt : segment_meant_by(table.segment[rows[i]]);
+    const bool rests_unnamed = normal && inferred[i] == "hold";
+    s.segment = segments.index(named && !rests_unnamed ? *named : inferred[i]);
     s.part = i > 0 && samples.list.back().segment == s.segment && !run.independent_rows &&
                      samples.list.back().cycle == s.cycle
                  ? samples.parts - 1

@@ -7,6 +7,7 @@
 #include "core/json_entries.h"
 #include "core/printable.h"
 #include "core/quantity.h"
+#include "core/text_file.h"
 #include "engines/parameters/contact_parameters.h"
 
 namespace asperity {
@@ -164,7 +165,7 @@ ContactParameters parse_contact_parameters(const Json& json, const std::string& 
 }
 
 ContactParameters read_contact_parameters(const std::filesystem::path& file) {
-  return parse_contact_parameters(parse_json(read_file(file), file.string()), file.string());
+  return parse_contact_parameters(parse_json(read_text_file(file), file.string()), file.string());
 }
 
 Json to_json(const ContactParameters& parameters) {

@@ -8,6 +8,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/quantity.h"
+#include "core/text_file.h"
 #include "core/utf8.h"
 #include "surfaces/readers/foreign_kinds.h"
 #include "surfaces/readers/format.h"
@@ -92,6 +93,13 @@ void check_assumed_units(const SourceFile& file, const StoredMap& map) {
         "); name the unit in its header, in a text file by a first line such as '# Value units: nm'");
 }
 
+bool has_mark_of_a_format(const SourceFile& file) {
+  const auto& formats = topography_formats();
+  return std::any_of(formats.begin(), formats.end(), [&](const TopographyFormat& format) {
+    return format.tried == Tried::by_mark && format.recognises(file);
+  });
+}
+
 Topography settled(const SourceFile& file, const TopographyFormat& format, const ReadOptions& options,
                    StoredMap map) {
   if (map.nx < 2 || map.ny < 2)
@@ -132,10 +140,14 @@ Topography settled(const SourceFile& file, const TopographyFormat& format, const
 Topography topography_from(const SourceFile& file, const ReadOptions& options) {
   const bool packed = is_gzip(file);
   const SourceFile unpacked = packed ? unpacked_gzip(file) : SourceFile{};
-  const SourceFile& source = packed ? unpacked : file;
+  const SourceFile& stored = packed ? unpacked : file;
+  const auto text = has_mark_of_a_format(stored) ? std::nullopt : text_of_utf16(stored.bytes);
+  const SourceFile recoded = text ? SourceFile{stored.path, *text} : SourceFile{};
+  const SourceFile& source = text ? recoded : stored;
   const TopographyFormat& format = format_of(source);
   StoredMap map = format.read(source, options);
   if (packed) map.note += std::string(map.note.empty() ? "" : "; ") + "unpacked from gzip";
+  if (text) map.note += std::string(map.note.empty() ? "" : "; ") + "text in UTF-16";
   return settled(source, format, options, std::move(map));
 }
 

@@ -74,6 +74,16 @@ TEST(Program_behaviour, refuses_a_wrong_call_with_status_2) {
   EXPECT_EQ(call("study nothing.prm --output nowhere").status, 2);
 }
 
+TEST(Program_behaviour, says_no_character_of_a_file_that_a_terminal_obeys) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("case.prm", "set Title\x1b]0;x\x07 = \u202e\nset Ti\xFFtle = µ\n");
+  const Outcome outcome = call("solve " + file.string() + " --output " + (folder.path / "r").string());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_CONTAINS(outcome.output, "\\x1b]0;x\\x07");
+  for (const char* obeyed : {"\x1b", "\x07", "\u202e", "\xFF"})
+    EXPECT_EQ(outcome.output.find(obeyed), std::string::npos) << outcome.output;
+}
+
 TEST(Program_behaviour, refuses_a_wrong_study_with_status_2_and_one_sentence) {
   const TemporaryFolder folder;
   const auto file = folder.write("study.prm", "subsection Particle\n set Radus = 1 um\nend\n");

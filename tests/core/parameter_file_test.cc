@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/utf16.h"
 
 namespace asperity {
 namespace {
@@ -57,6 +58,18 @@ TEST(ParameterFile_behaviour, reads_the_JSON_that_deal_II_writes) {
   EXPECT_EQ(settings[0].value, "70 GPa");
 }
 
+TEST(ParameterFile_behaviour, reads_what_other_editors_save) {
+  for (const std::string text : {std::string("\xEF\xBB\xBFset Title = \xC2\xB5\r\nset Seed = 3\r\n"),
+                                 std::string("set Title = \xB5\rset Seed = 3\r"),
+                                 test::utf16_bytes(u"set Title = µ\r\nset Seed = 3", test::Order::little)}) {
+    const TemporaryFolder folder;
+    const Settings settings = read_settings(folder.write("case.prm", text));
+    ASSERT_EQ(settings.size(), 2u);
+    EXPECT_EQ(settings[0].value, "µ");
+    EXPECT_EQ(settings[1].value, "3");
+  }
+}
+
 TEST(ParameterFile_behaviour, an_included_file_can_be_overridden_where_it_is_included) {
   const TemporaryFolder folder;
   folder.write("base.prm", "subsection Particle\n set Radius = 8.5 um\nend\n");
@@ -91,7 +104,7 @@ TEST(ParameterFile_behaviour, names_the_line_of_what_it_cannot_read) {
   EXPECT_CONTAINS(refusal("include case.prm\n"), "does one include itself?");
   EXPECT_CONTAINS(refusal(" \n"), "the file is empty");
   EXPECT_CONTAINS(refusal(std::string("\x89PNG\0\0", 6)), "binary file");
-  EXPECT_CONTAINS(refusal("{\n\"Particle\": {\n"), "this is not JSON");
+  EXPECT_CONTAINS(refusal("{\n\"Particle\": {\n"), "this is not JSON here: unexpected end of input");
   EXPECT_CONTAINS(refusal("{\"Particle\":\n {\"Radius\": [1]}}"), "case.prm:2: 'Radius' holds array");
 }
 

@@ -180,6 +180,33 @@ TEST(TableFile_behaviour, refuses_heads_that_are_no_columns) {
             std::string::npos);
 }
 
+TEST(TableFile_behaviour, says_what_another_way_of_writing_tables_is_to_become) {
+  const auto said = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(refusal_of_table(text).find(part), std::string::npos) << refusal_of_table(text);
+  };
+  said("time;normal_force [N]\n1;2\n", "cells are separated by ';' here; separate them by commas");
+  said("time\tnormal_force [N]\n1\t2\n", "cells are separated by tabs here");
+  said("time (s),cycle\n1,2\n", "round brackets; write it in square ones, as 'time [...]'");
+  said("time,cycle\ns,\n1,2\n",
+       "t.csv:2: 's' in column 'time' is not a number; write units behind the names, as "
+       "'time [s]'");
+  said("time,cycle\nm,\n1,2\n", "'m' in column 'time' is not a number; leave the cell empty");
+  said("time,cycle,\n1,2,\n1,2,3\n", "t.csv:3: column 3 holds '3' and has no name");
+  said("[s],cycle\n1,2\n", "there is no channel ''");
+}
+
+TEST(TableFile_behaviour, reads_what_spreadsheets_save) {
+  for (const std::string text : {"\xEF\xBB\xBFtime,normal_force [uN],segment\r\n1,2,load\r\n",
+                                 "time,normal_force [\xB5N],segment\r1,2,load\r",
+                                 "\"time\",\"normal_force [uN]\",segment,,\n1,2,load,,\n"}) {
+    const RecordingTable table = table_of(text);
+    EXPECT_EQ(table.column("time"), std::vector<double>{1}) << text;
+    EXPECT_DOUBLE_EQ(table.column("normal_force").at(0), 2e-6) << text;
+    EXPECT_EQ(table.segment, std::vector<std::string>{"load"}) << text;
+    EXPECT_EQ(table.columns.size(), 2u) << text;
+  }
+}
+
 TEST(TableFile_behaviour, writes_known_channels_in_their_order_with_units_and_gaps) {
   RecordingTable table;
   table.columns["normal_force"] = {1e-6, NAN};

@@ -10,6 +10,7 @@
 #include "diagnosis/import/segments.h"
 #include "diagnosis/recording/experiment.h"
 #include "diagnosis/recording/probe_jumps.h"
+#include "diagnosis/recording/segment_names.h"
 #include "tests/diagnosis/support/made_recording.h"
 
 namespace asperity {
@@ -85,6 +86,37 @@ TEST(Samples_analytic, of_an_approach_with_a_hold_are_parted_there) {
   EXPECT_NEAR(samples.list[75].hold_time, 7.5, 0.51);
   EXPECT_EQ(samples.list[130].hold_time, 0);
   EXPECT_EQ(samples.list[75].speed, 0);  // of approach there is none
+}
+
+TEST(Samples_behaviour, follow_the_motion_where_names_of_segments_mean_nothing) {
+  Column path = zigzag({-1e-8, 5e-8}, 60);
+  path.insert(path.end(), 30, 5e-8);
+  for (const double x : zigzag({5e-8, -1e-8}, 60)) path.push_back(x);
+  Recording recording = driven(Motion::normal, path);
+  const auto name_them = [&](const char* up, const char* rest, const char* down) {
+    auto& names = recording.tables[0].segment;
+    names.assign(61, up), names.insert(names.end(), 30, rest), names.insert(names.end(), 61, down);
+  };
+  for (const auto& [up, rest, down] :
+       {std::tuple{"", "", ""}, std::tuple{"Load", "HOLD", "unload"},
+        std::tuple{"approach", "dwell", "retract"}, std::tuple{"1", "2", "3"},
+        std::tuple{"load", "load", "unload"}, std::tuple{"load", "pause", ""}}) {
+    name_them(up, rest, down);
+    const Samples samples = samples_of(recording);
+    EXPECT_EQ(segment_of(samples, 30), "load") << up;
+    EXPECT_EQ(segment_of(samples, 75), "hold") << rest;
+    EXPECT_EQ(samples.list[75].hold, 1) << rest;
+    EXPECT_EQ(segment_of(samples, 130), "unload") << down;
+  }
+  EXPECT_EQ(remark_on_segment_names(recording).rfind("segments are named 'pause', which is none of load", 0),
+            0u)
+      << remark_on_segment_names(recording);
+  name_them("Load", "hold", "UNLOAD");
+  EXPECT_EQ(remark_on_segment_names(recording), "");
+  for (int i = 0; i < 9; ++i)
+    recording.tables[0].segment[static_cast<std::size_t>(i)] = "s" + std::to_string(i);
+  EXPECT_NE(remark_on_segment_names(recording).find("'s0', 's1', 's2', 's3', 's4' and others"),
+            std::string::npos);
 }
 
 TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recorded) {

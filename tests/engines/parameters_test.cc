@@ -127,7 +127,9 @@ TEST(ContactParameters_behaviour, say_which_line_is_not_JSON) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("p.json", "{\n\"format\": \"asperity-parameters/1\",\n oops\n}");
   EXPECT_EQ(message_of<InputError>([&] { read_contact_parameters(file); }),
-            file.string() + ":3: this is not JSON here; correct it or write it again");
+            file.string() +
+                ":3: this is not JSON here: invalid literal, expected string literal; correct it or write it "
+                "again");
 }
 
 TEST(ContactParameters_behaviour, say_which_quantity_a_law_lacks) {

@@ -1,4 +1,5 @@
 #include "surfaces/readers/text_parts.h"
+#include "tests/support/utf16.h"
 #include "tests/surfaces/readers/stored_files.h"
 
 using namespace asperity;
@@ -45,6 +46,16 @@ TEST(Text_matrix_behaviour, headers_of_other_writers_are_understood) {
         "width: 3000 nm\nz-unit: nm\n", "xy unit: um\nlx: 3\nly: 2\nvalue unit: nm\n",
         "\xEF\xBB\xBF# Width: 3 ~m\n# Height: 2 ~m\n# Value units: nanometer\n"})
     expect_common_map(read_text(header + rows));
+}
+
+TEST(Text_matrix_behaviour, of_16_bit_characters_is_read_and_said) {
+  const std::u16string text =
+      u"# Width: 3 µm\r\n# Height: 2 µm\r\n# Value units: nm\r\n1\t2\t3\r\n4\t5\t6\r\n";
+  for (const Order order : {Order::little, Order::big}) {
+    const Topography map = read_text(utf16_bytes(text, order));
+    expect_common_map(map);
+    EXPECT_SAYS(map.source, "text in UTF-16");
+  }
 }
 
 TEST(Text_matrix_behaviour, separators_and_decimal_commas_are_understood) {
