@@ -31,7 +31,8 @@ std::string remark_on_segment_names(const Recording& recording) {
   for (const auto& name : others)
     if (named.size() < most_named) named.push_back("'" + printable(name) + "'");
   return "segments are named " + joined(named, ", ") + (others.size() > most_named ? " and others" : "") +
-         ", which is none of load, hold, unload, forward and backward: loading, holds and returns were read off "
+         ", which is none of load, hold, unload, forward and backward: loading, holds and returns were read "
+         "off "
          "the driven motion";
 }
 
