@@ -43,8 +43,21 @@ class LateralRun {
     return force_ + addition(sample);
   }
 
-  /// Lateral force of the sample that follows the last [N].
+  /// Lateral force of the sample that follows the last [N]. A turn between the two is passed on the way.
   double next(const Sample& sample) {
+    if (!sample.turn) return move_to(sample);
+    turn_ = *last_sample_;
+    turn_.lateral_displacement = sample.turn->displacement;
+    turn_.time = sample.turn->time;
+    move_to(turn_);
+    last_sample_ = &turn_;
+    return move_to(sample);
+  }
+
+ private:
+  static constexpr double gross = 1e-6;  // of the limit: rounding
+
+  double move_to(const Sample& sample) {
     const double step = sample.lateral_displacement - last_sample_->lateral_displacement;
     if (sample.direction != last_sample_->direction) slip_ = path_ = 0;
     SlipState state = state_of(sample, sample.time - last_sample_->time);
@@ -63,9 +76,6 @@ class LateralRun {
     last_sample_ = &sample;
     return force_ + addition(sample);
   }
-
- private:
-  static constexpr double gross = 1e-6;  // of the limit: rounding
 
   SlipState state_of(const Sample& sample, double time_step) const {
     SlipState state;
@@ -142,6 +152,7 @@ class LateralRun {
   LateralMechanics& lateral_;
   double sliding_modulus_ = 0;
   const Sample* last_sample_ = nullptr;
+  Sample turn_;  ///< between two samples
   StripContact strips_;
   double force_ = 0, position_ = 0, stiffness_ = 0, slip_ = 0, path_ = 0;
   bool slips_ = false;

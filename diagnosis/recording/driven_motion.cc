@@ -113,6 +113,33 @@ int sign_of_name(const std::string& segment) {
   return segment == "backward" || segment == "unload" ? -1 : 0;
 }
 
+/// Where a lateral motion turns from one segment to the next, mostly between samples. A sample that is named
+/// for the one way and lies on the other, as where the farthest is taken for the last or for the first, goes
+/// to the other.
+void find_turning_points(Samples& samples, const SampleRun& run) {
+  Sample* const list = samples.list.data() + run.begin;
+  const std::vector<double> time = spread_times(samples, run);
+  std::vector<double> path;
+  std::vector<std::size_t> begins;  // of segments
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    path.push_back(list[i].lateral_displacement);
+    if (i == 0 || list[i].part != list[i - 1].part) begins.push_back(i);
+  }
+  begins.push_back(time.size());
+  const auto put = [&](std::size_t i, const Sample& like) {
+    list[i].part = like.part, list[i].segment = like.segment;
+  };
+  for (std::size_t k = 1; k + 1 < begins.size(); ++k) {
+    const std::size_t from = begins[k];
+    const auto turn = turn_of(path, time, begins[k - 1], from, begins[k + 1]);
+    list[from].turn.reset();
+    if (!turn) continue;
+    if (turn->next < from) put(from - 1, list[from]);
+    if (turn->next > from) put(from, list[from - 1]);
+    list[turn->next].turn = turn->place;
+  }
+}
+
 /// Samples from `from` on that are of its part.
 std::size_t end_of_part(const Samples& samples, const SampleRun& run, std::size_t from) {
   std::size_t to = from;
@@ -173,6 +200,7 @@ void find_reversals(Samples& samples, const SampleRun& run, bool has_cycles, con
         ++hold;
       }
     }
+    if (s.turn) reversal = s.turn->displacement;
     s.direction = direction;
     s.since_reversal = std::abs(driven(s) - reversal);
     s.hold = hold;
@@ -187,7 +215,12 @@ void follow_motion(Samples& samples, const SampleRun& run, const DrivenBy& by) {
   const auto driven = [&](const Sample& s) {
     return !by.normal ? s.lateral_displacement : by.force ? s.normal_force : s.normal_displacement;
   };
-  if (!by.normal) make_paths_monotonic(samples, run);
+  if (!by.normal) {
+    find_turning_points(samples,
+                        run);  // first, so that no sample of the other way is smoothed into a segment
+    make_paths_monotonic(samples, run);
+    find_turning_points(samples, run);
+  }
   find_reversals(samples, run, by.has_cycles, driven);
   follow_cycles(samples, run, driven);
   if (!by.has_speed && by.has_time && !by.normal) find_speeds(samples, run);

@@ -78,11 +78,12 @@ std::vector<std::string> inferred_segments(const std::vector<double>& given, boo
   const auto [path, noise] = quiet(given, hold_of_range * (*most - *least));
   const std::string up = normal ? "load" : "forward", down = normal ? "unload" : "backward";
   std::vector<std::string> names(path.size());
-  std::vector<std::size_t> ends = turns(path, noise);
+  std::vector<std::size_t> ends;
+  for (const std::size_t extreme : turns(path, noise)) ends.push_back(extreme + 1);
   ends.push_back(path.size());
   std::size_t from = 0;
   for (const std::size_t end : ends) {
-    const bool rises = path[std::min(end, path.size() - 1)] > path[from];
+    const bool rises = path[end - 1] > path[from];
     for (std::size_t i = from; i < end; ++i) names[i] = rises ? up : down;
     from = end;
   }

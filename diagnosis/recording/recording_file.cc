@@ -143,8 +143,7 @@ Recording read_recording(const fs::path& given) {
   for (const auto& table : json["tables"])
     recording.tables.push_back(table_of(table, recording.mode, recording.folder, file));
   check_recording(recording);
-  if (const std::string remark = remark_on_segment_names(recording); !remark.empty())
-    recording.remarks.push_back(remark);
+  for (const std::string& remark : remarks_on_segments(recording)) recording.remarks.push_back(remark);
   turn_signs_to_dissipate(recording);
   return recording;
 }

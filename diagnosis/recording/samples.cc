@@ -92,6 +92,7 @@ void add_run(Samples& samples, SampleRun run, const Recording& recording,
   const std::vector<std::string> inferred = table.kind == TableKind::trace
                                                 ? inferred_segments(path, normal)
                                                 : std::vector<std::string>(rows.size(), "series");
+  const std::vector<bool> backward = run.independent_rows ? rows_backward(table) : std::vector<bool>{};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Sample s = sample_of(recording, table, rows[i], i);
     const auto named = table.segment.empty() ? std::nullopt : segment_meant_by(table.segment[rows[i]]);
@@ -103,7 +104,7 @@ void add_run(Samples& samples, SampleRun run, const Recording& recording,
                  : samples.parts++;
     if (run.independent_rows) {
       s.part = i > 0 ? samples.list.back().part : s.part;
-      s.direction = samples.segment_names[static_cast<std::size_t>(s.segment)] == "backward" ? -1 : 1;
+      s.direction = backward[rows[i]] ? -1 : 1;
     }
     samples.list.push_back(s);
   }

@@ -3,10 +3,12 @@
 // hold). SI units.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnosis/recording/recording.h"
+#include "diagnosis/recording/turning_point.h"
 
 namespace asperity {
 
@@ -18,19 +20,20 @@ struct Sample {
   double radius = 0;    ///< of the particle
   double rms_roughness = 0;
   double rail_angle = 0;
-  double humidity = 0;          ///< relative, 0 to 1
-  double since_reversal = 0;    ///< path since the driven motion last turned [m]
-  double hold_time = 0;         ///< since the hold began [s]; 0 outside holds
-  int hold = 0;                 ///< holds of the run begun so far
-  int direction = 1;            ///< of lateral motion, or of approach: +1, -1
-  double cycle = 0;             ///< number of the loop, from 0
-  double cycle_part = 0;        ///< part of its path that has passed, 0 to 1
-  int segment = 0;              ///< index into Samples::segment_names
-  int part = 0;                 ///< number of the contiguous part of one run and segment
-  int row = 0;                  ///< of the table
-  std::size_t index = 0;        ///< place in the whole list, also after thinning
-  double response = 0, sd = 0;  ///< sd: given with the row; 0: not given
-  bool counts = true;           ///< false: missing, or an outlier; drives the simulation but is not compared
+  double humidity = 0;               ///< relative, 0 to 1
+  double since_reversal = 0;         ///< path since the driven motion last turned [m]
+  std::optional<TurningPoint> turn;  ///< where it turned between the sample before and this one
+  double hold_time = 0;              ///< since the hold began [s]; 0 outside holds
+  int hold = 0;                      ///< holds of the run begun so far
+  int direction = 1;                 ///< of lateral motion, or of approach: +1, -1
+  double cycle = 0;                  ///< number of the loop, from 0
+  double cycle_part = 0;             ///< part of its path that has passed, 0 to 1
+  int segment = 0;                   ///< index into Samples::segment_names
+  int part = 0;                      ///< number of the contiguous part of one run and segment
+  int row = 0;                       ///< of the table
+  std::size_t index = 0;             ///< place in the whole list, also after thinning
+  double response = 0, sd = 0;       ///< sd: given with the row; 0: not given
+  bool counts = true;  ///< false: missing, or an outlier; drives the simulation but is not compared
 };
 
 /// Consecutive samples that share one history, or independent rows of a series.

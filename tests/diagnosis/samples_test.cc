@@ -108,15 +108,15 @@ TEST(Samples_behaviour, follow_the_motion_where_names_of_segments_mean_nothing) 
     EXPECT_EQ(samples.list[75].hold, 1) << rest;
     EXPECT_EQ(segment_of(samples, 130), "unload") << down;
   }
-  EXPECT_EQ(remark_on_segment_names(recording).rfind("segments are named 'pause', which is none of load", 0),
-            0u)
-      << remark_on_segment_names(recording);
+  const auto remark = [&] {
+    const auto remarks = remarks_on_segments(recording);
+    return remarks.empty() ? "" : remarks.at(0);
+  };
+  EXPECT_EQ(remark().rfind("segments are named 'pause', which is none of load", 0), 0u) << remark();
   name_them("Load", "hold", "UNLOAD");
-  EXPECT_EQ(remark_on_segment_names(recording), "");
-  for (int i = 0; i < 9; ++i)
-    recording.tables[0].segment[static_cast<std::size_t>(i)] = "s" + std::to_string(i);
-  EXPECT_NE(remark_on_segment_names(recording).find("'s0', 's1', 's2', 's3', 's4' and others"),
-            std::string::npos);
+  EXPECT_EQ(remark(), "");
+  for (std::size_t i = 0; i < 9; ++i) recording.tables[0].segment[i] = "s" + std::to_string(i);
+  EXPECT_NE(remark().find("'s0', 's1', 's2', 's3', 's4' and others"), std::string::npos) << remark();
 }
 
 TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recorded) {
@@ -310,6 +310,30 @@ TEST(Samples_behaviour, of_a_series_are_rows_on_their_own_that_may_name_their_di
   EXPECT_EQ(samples.list[2].sd, 0);
   EXPECT_EQ(samples.list[0].rail_angle, 0.3);
   EXPECT_EQ(samples.list[0].rms_roughness, 0.3e-9);
+}
+
+TEST(Samples_behaviour, of_a_series_without_names_go_the_way_that_friction_says) {
+  Recording recording = driven(Motion::sliding, {0, 0, 0, 0, 0, 0});
+  auto& table = recording.tables[0];
+  table.kind = TableKind::series;
+  table.control = {"normal_force"};
+  table.columns["normal_force"] = {3e-3, 3e-3, 3e-5, 3e-5, 1e-3, 0};
+  table.columns["lateral_force"] = {9e-4, -9e-4, 9e-6, -9e-6, NAN, -1e-7};
+  const auto directions = [&] {
+    std::vector<int> all;
+    for (const auto& s : samples_of(recording).list) all.push_back(s.direction);
+    return all;
+  };
+  EXPECT_EQ(directions(), (std::vector<int>{1, -1, 1, -1, 1, 1}));
+  EXPECT_EQ(remarks_on_segments(recording).at(0),
+            "2 of 6 rows of 't.csv' have a lateral force below zero and no name of a direction: they were "
+            "taken for "
+            "motion backward");
+  table.columns["lateral_force"][2] = -1e-6;  // noise
+  EXPECT_EQ(directions()[2], 1);
+  table.segment = {"forward", "", "", "backward", "", ""};  // who names some means them
+  EXPECT_EQ(directions(), (std::vector<int>{1, 1, 1, -1, 1, 1}));
+  EXPECT_TRUE(remarks_on_segments(recording).empty());
 }
 
 TEST(Samples_behaviour, thinned_keep_ends_and_four_times_as_many_after_a_turn) {

@@ -100,5 +100,36 @@ TEST(Similar_analytic, a_loop_is_the_same_from_the_other_side) {
   }
 }
 
+Recording every_other_row(const Recording& recording, std::size_t first) {
+  Recording few = recording;
+  for (RecordingTable& table : few.tables) {
+    const auto thin = [&](auto& values) {
+      auto kept = values;
+      kept.clear();
+      for (std::size_t i = first; i < values.size(); i += 2) kept.push_back(values[i]);
+      values = kept;
+    };
+    for (auto& [name, values] : table.columns) thin(values);
+    thin(table.segment);
+  }
+  return few;
+}
+
+/// Turns lie between the samples that are left.
+TEST(Similar_behaviour, a_loop_is_explained_by_the_same_with_every_other_sample) {
+  const Recording loops =
+      conceal(ConcealOptions{Motion::sliding, {"adhesion_offset"}, 0.005, 3, ""}).recording;
+  const Diagnosis all = diagnose(loops);
+  ASSERT_EQ(all.verdict, Verdict::explained) << all.in_words;
+  for (const std::size_t first : {0U, 1U}) {
+    const Diagnosis few = diagnose(every_other_row(loops, first));
+    EXPECT_EQ(few.verdict, all.verdict) << few.in_words;
+    ASSERT_EQ(few.left_out.size(), 1U) << few.in_words;
+    EXPECT_EQ(few.left_out[0].id, all.left_out[0].id);
+    const DiagnosedParameter &one = all.left_out[0].parameters[0], &other = few.left_out[0].parameters[0];
+    EXPECT_NEAR(other.value, one.value, 0.5 * (one.high - one.low));
+  }
+}
+
 }  // namespace
 }  // namespace asperity
