@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/recording/median.h"
+
 namespace asperity {
 namespace {
 
 /// A line through the samples between two, both included.
 struct Line {
-  double speed = 0, step = 0;  ///< [m/s]; mean time from sample to sample [s]
+  double speed = 0, step = 0;  ///< [m/s]; usual time from sample to sample [s]
   bool is_steady = false;      ///< both halves are equally fast
 };
 
@@ -18,11 +20,20 @@ Line line_between(const std::vector<double>& path, const std::vector<double>& ti
   const auto speed = [&](std::size_t a, std::size_t b) { return (path[b] - path[a]) / (time[b] - time[a]); };
   const std::size_t middle = (first + last) / 2;
   Line line;
-  line.step = (time[last] - time[first]) / static_cast<double>(last - first);
+  std::vector<double> steps;
+  for (std::size_t i = first; i < last; ++i) steps.push_back(time[i + 1] - time[i]);
+  line.step = median(std::move(steps));
   if (!(time[middle] > time[first] && time[last] > time[middle])) return line;
   line.speed = speed(first, last);
   line.is_steady = std::abs(speed(first, middle) - speed(middle, last)) <= steady * std::abs(line.speed);
   return line;
+}
+
+/// A step of the clock, or a few of which samples are missing: whole steps.
+bool is_no_pause(double gap, double step) {
+  constexpr double longest = 1.5, whole = 0.05, most = 4.5;  // steps
+  const double steps = gap / step;
+  return steps <= longest || (steps <= most && std::abs(steps - std::round(steps)) <= whole);
 }
 
 }  // namespace
@@ -30,7 +41,7 @@ Line line_between(const std::vector<double>& path, const std::vector<double>& ti
 std::optional<Turn> turn_of(const std::vector<double>& path, const std::vector<double>& time,
                             std::size_t begin, std::size_t turn, std::size_t end) {
   constexpr std::size_t fewest = 4, most_steps = 8, of_samples = 4;
-  constexpr double longest_gap = 1.5, at_a_sample = 0.01;  // of a step
+  constexpr double at_a_sample = 0.01;  // of a step
   if (turn < begin + fewest || end < turn + fewest) return std::nullopt;
   const auto steps = [&](std::size_t samples) {
     return std::clamp<std::size_t>(samples / of_samples, 2, most_steps);
@@ -41,7 +52,7 @@ std::optional<Turn> turn_of(const std::vector<double>& path, const std::vector<d
   const double step = (before.step + after.step) / 2;
   if (!before.is_steady || !after.is_steady || before.speed * after.speed >= 0) return std::nullopt;
   for (std::size_t i = last; i < first; ++i)
-    if (time[i + 1] - time[i] > longest_gap * step) return std::nullopt;
+    if (!is_no_pause(time[i + 1] - time[i], step)) return std::nullopt;
   const double way = path[first] - path[last] - after.speed * (time[first] - time[last]);
   const double met = time[last] + way / (before.speed - after.speed), close = at_a_sample * step;
   Turn found;

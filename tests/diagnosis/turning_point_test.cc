@@ -55,6 +55,22 @@ TEST(TurningPoint_analytic, is_known_where_a_sample_lies_at_it) {
     }
 }
 
+TEST(TurningPoint_analytic, is_found_where_samples_about_it_are_missing) {
+  const Clocked whole(0.2, 1);
+  for (const int missing : {1, 2, 3}) {
+    Clocked few = whole;
+    const auto cut = [&](Column& values) {
+      const auto at = values.begin() + static_cast<long>(few.turn) - 1;
+      values.erase(at, at + missing);
+    };
+    cut(few.path), cut(few.time);
+    few.turn -= 1;
+    const auto found = few.found();
+    ASSERT_TRUE(found && found->place) << missing;
+    EXPECT_NEAR(found->place->displacement, 100, 1e-9);
+  }
+}
+
 TEST(TurningPoint_behaviour, is_none_after_a_pause_or_where_the_motion_slows_down) {
   Clocked late(0.25, 1);
   for (std::size_t i = late.turn; i < late.time.size(); ++i) late.time[i] += 0.6;
