@@ -119,6 +119,15 @@ TEST(Samples_behaviour, follow_the_motion_where_names_of_segments_mean_nothing) 
   EXPECT_NE(remark().find("'s0', 's1', 's2', 's3', 's4' and others"), std::string::npos) << remark();
 }
 
+TEST(Samples_behaviour, rest_off_contact_in_a_segment_named_load_without_a_hold) {
+  Column force(60, 0.0);  // driven, though the probe moves
+  for (int i = 1; i <= 90; ++i) force.push_back(1e-6 * i);
+  Recording recording = driven(Motion::normal, force);
+  EXPECT_EQ(segment_of(samples_of(recording), 30), "hold");
+  recording.tables[0].segment.assign(force.size(), "load");
+  EXPECT_EQ(segment_of(samples_of(recording), 30), "load");
+}
+
 TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recorded) {
   Recording recording = driven(Motion::sliding, zigzag({0, 1e-7, 0}, 50));
   const std::size_t rows = recording.tables[0].rows();
