@@ -92,7 +92,11 @@ void add_run(Samples& samples, SampleRun run, const Recording& recording,
   const std::vector<std::string> inferred = table.kind == TableKind::trace
                                                 ? inferred_segments(path, normal)
                                                 : std::vector<std::string>(rows.size(), "series");
-  // Off contact a driven force rests though the probe moves.
+  // Where holds are named their names say how long they are. Off contact a driven force rests though the
+  // probe moves.
+  const bool names_holds =
+      std::any_of(table.segment.begin(), table.segment.end(),
+                  [](const std::string& name) { return segment_meant_by(name) == "hold"; });
   const auto [low, high] = std::minmax_element(path.begin(), path.end());
   constexpr double part_of_range = 0.05;
   const double under_load = *low + part_of_range * (*high - *low);
@@ -100,7 +104,7 @@ void add_run(Samples& samples, SampleRun run, const Recording& recording,
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Sample s = sample_of(recording, table, rows[i], i);
     const auto named = table.segment.empty() ? std::nullopt : segment_meant_by(table.segment[rows[i]]);
-    const bool rests_unnamed = normal && inferred[i] == "hold" && path[i] > under_load;
+    const bool rests_unnamed = normal && !names_holds && inferred[i] == "hold" && path[i] > under_load;
     s.segment = segments.index(named && !rests_unnamed ? *named : inferred[i]);
     s.part = i > 0 && samples.list.back().segment == s.segment && !run.independent_rows &&
                      samples.list.back().cycle == s.cycle

@@ -119,6 +119,19 @@ TEST(Samples_behaviour, follow_the_motion_where_names_of_segments_mean_nothing) 
   EXPECT_NE(remark().find("'s0', 's1', 's2', 's3', 's4' and others"), std::string::npos) << remark();
 }
 
+TEST(Samples_behaviour, of_a_hold_are_those_named_where_any_is_named) {
+  Column path = zigzag({0, 1e-7}, 200);
+  path.insert(path.end(), 30, 1e-7);
+  for (const double x : zigzag({1e-7, 0}, 200)) path.push_back(x);
+  Recording recording = driven(Motion::normal, path);
+  const Samples inferred = samples_of(recording);
+  EXPECT_EQ(segment_of(inferred, 231), "hold");  // on the way back, within a hundredth of the range
+  auto& names = recording.tables[0].segment;
+  names.assign(201, "load"), names.insert(names.end(), 30, "hold"), names.insert(names.end(), 201, "unload");
+  const Samples named = samples_of(recording);
+  for (std::size_t i = 0; i < path.size(); ++i) EXPECT_EQ(segment_of(named, i), names[i]) << i;
+}
+
 TEST(Samples_behaviour, rest_off_contact_in_a_segment_named_load_without_a_hold) {
   Column force(60, 0.0);  // driven, though the probe moves
   for (int i = 1; i <= 90; ++i) force.push_back(1e-6 * i);
