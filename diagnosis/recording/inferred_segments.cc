@@ -1,8 +1,11 @@
 #include "diagnosis/recording/inferred_segments.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "diagnosis/recording/control_noise.h"
+#include "diagnosis/recording/median.h"
 
 namespace asperity {
 namespace {
@@ -14,6 +17,8 @@ constexpr double turn_of_range = 0.02;
 /// run.
 constexpr double hold_of_range = 0.01;
 constexpr double hold_of_samples = 0.02;
+/// What is no motion, of its range.
+constexpr double least_motion = 1e-4;
 
 /// Where the driven channel turns: indices of the extremes in between.
 std::vector<std::size_t> turns(const std::vector<double>& path, double noise) {
@@ -46,6 +51,24 @@ std::vector<std::size_t> turns(const std::vector<double>& path, double noise) {
   return found;
 }
 
+/// Where the motion rests in an interval that also holds its last way to there and its first from there:
+/// between the first and the last sample that is as near to the middle value as most are, or as `resolved`
+/// [of the path].
+std::pair<std::size_t, std::size_t> rest_within(const std::vector<double>& path, std::size_t from,
+                                                std::size_t to, double resolved) {
+  constexpr double as_most = 4;  // times the median distance
+  const std::vector<double> values(path.begin() + static_cast<std::ptrdiff_t>(from),
+                                   path.begin() + static_cast<std::ptrdiff_t>(to));
+  const double middle = median(values);
+  std::vector<double> distance;
+  for (const double value : values) distance.push_back(std::abs(value - middle));
+  const double near = std::max(resolved, as_most * median(distance));
+  std::size_t first = 0, end = distance.size();
+  while (first + 1 < end && distance[first] > near) ++first;
+  while (end > first + 1 && distance[end - 1] > near) --end;
+  return {from + first, from + end};
+}
+
 /// Names the intervals in which the driven motion rests.
 void name_holds(std::vector<std::string>& names, const std::vector<double>& path, double noise) {
   const auto [low, high] = std::minmax_element(path.begin(), path.end());
@@ -63,7 +86,8 @@ void name_holds(std::vector<std::string>& names, const std::vector<double>& path
     // As many samples as a motion over the range in the whole run would spend in the band are no hold.
     if (j - i >= longest &&
         static_cast<double>(j - i) * (*high - *low) > 4 * still * static_cast<double>(path.size())) {
-      for (std::size_t k = i; k < j; ++k) names[k] = "hold";
+      const auto [first, last] = rest_within(path, i, j, std::max(noise, least_motion * (*high - *low)));
+      for (std::size_t k = first; k < last; ++k) names[k] = "hold";
       i = j;
     } else {
       ++i;

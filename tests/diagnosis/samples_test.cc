@@ -119,15 +119,18 @@ TEST(Samples_behaviour, follow_the_motion_where_names_of_segments_mean_nothing) 
   EXPECT_NE(remark().find("'s0', 's1', 's2', 's3', 's4' and others"), std::string::npos) << remark();
 }
 
-TEST(Samples_behaviour, of_a_hold_are_those_named_where_any_is_named) {
+TEST(Samples_behaviour, of_a_hold_are_those_that_rest_or_those_named_where_any_is) {
   Column path = zigzag({0, 1e-7}, 200);
   path.insert(path.end(), 30, 1e-7);
   for (const double x : zigzag({1e-7, 0}, 200)) path.push_back(x);
   Recording recording = driven(Motion::normal, path);
   const Samples inferred = samples_of(recording);
-  EXPECT_EQ(segment_of(inferred, 231), "hold");  // on the way back, within a hundredth of the range
+  EXPECT_EQ(segment_of(inferred, 199), "load");  // within a hundredth of the range, as the hold is
+  EXPECT_EQ(segment_of(inferred, 202), "hold");
+  EXPECT_EQ(segment_of(inferred, 230), "hold");
+  EXPECT_EQ(segment_of(inferred, 232), "unload");
   auto& names = recording.tables[0].segment;
-  names.assign(201, "load"), names.insert(names.end(), 30, "hold"), names.insert(names.end(), 201, "unload");
+  names.assign(211, "load"), names.insert(names.end(), 10, "hold"), names.insert(names.end(), 211, "unload");
   const Samples named = samples_of(recording);
   for (std::size_t i = 0; i < path.size(); ++i) EXPECT_EQ(segment_of(named, i), names[i]) << i;
 }
