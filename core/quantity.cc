@@ -117,7 +117,7 @@ double parse_quantity(const std::string& text, Dimension dimension) {
 }
 
 std::string format_quantity(double si_value, Dimension dimension, int digits) {
-  const std::string number = printed("%.*g", digits, si_value);
+  std::string number = printed("%.*g", digits, si_value);
   if (dimension == Dimension::none || !std::isfinite(si_value)) return number;
   const std::string symbol = si_symbol(dimension);
   // What rounds to 1000 of a prefix is 1 of the next: 0.9999 nm in three digits is 1 nm, not 1000 pm (nor

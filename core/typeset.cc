@@ -138,7 +138,8 @@ class Typesetter {
       return command + (is_letter(now()) || now() == ' ' ? " " : "");
     std::size_t letters = word.size();
     while (letters > 0 && is_digit(word[letters - 1])) --letters;
-    const std::string name = word.substr(0, letters), index = word.substr(letters);
+    std::string name = word.substr(0, letters);
+    const std::string index = word.substr(letters);
     if (!index.empty()) return symbol_of(name) + "_{" + index + "}";
     if (name == "d" && now() == ' ' && is_letter(next()) &&
         is_letter(at_ + 2 < text_.size() ? text_[at_ + 2] : '\0'))
