@@ -1,7 +1,6 @@
 #include "core/text_file.h"
 
-#include <algorithm>
-#include <cstdint>
+#include <utility>
 
 #include "core/atomic_file.h"
 #include "core/error.h"

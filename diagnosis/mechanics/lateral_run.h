@@ -50,7 +50,6 @@ class LateralRun {
     turn_.lateral_displacement = sample.turn->displacement;
     turn_.time = sample.turn->time;
     move_to(turn_);
-    last_sample_ = &turn_;
     return move_to(sample);
   }
 

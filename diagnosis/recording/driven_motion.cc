@@ -216,8 +216,8 @@ void follow_motion(Samples& samples, const SampleRun& run, const DrivenBy& by) {
     return !by.normal ? s.lateral_displacement : by.force ? s.normal_force : s.normal_displacement;
   };
   if (!by.normal) {
-    find_turning_points(samples,
-                        run);  // first, so that no sample of the other way is smoothed into a segment
+    // First, so that no sample of the other way is smoothed into a segment.
+    find_turning_points(samples, run);
     make_paths_monotonic(samples, run);
     find_turning_points(samples, run);
   }

@@ -1,4 +1,4 @@
-// What the names in a trace's column `segment` mean.
+// What the names in the column `segment` mean, and what tells the direction where they do not.
 #pragma once
 
 #include <optional>

@@ -10,41 +10,15 @@
 #include "diagnosis/import/segments.h"
 #include "diagnosis/recording/experiment.h"
 #include "diagnosis/recording/probe_jumps.h"
-#include "diagnosis/recording/segment_names.h"
-#include "tests/diagnosis/support/made_recording.h"
+#include "tests/diagnosis/support/driven_recording.h"
 
 namespace asperity {
 namespace {
 
-using Column = std::vector<double>;
-
-/// A trace with one driven channel.
-Recording driven(Motion mode, const Column& path) {
-  Recording recording;
-  recording.mode = mode;
-  recording.particle = test::borosilicate(), recording.substrate = test::silicon();
-  RecordingTable table;
-  table.file = "t.csv";
-  const bool normal = mode == Motion::normal;
-  table.control = {normal ? "normal_displacement" : "lateral_displacement"};
-  table.response = normal ? "normal_force" : "lateral_force";
-  table.columns[table.control[0]] = path;
-  table.columns[table.response] = Column(path.size(), 1e-6);
-  recording.tables = {table};
-  return recording;
-}
-
-/// From turn to turn in equal steps.
-Column zigzag(const Column& turns, int steps) {
-  Column path{turns.front()};
-  for (std::size_t k = 1; k < turns.size(); ++k)
-    for (int i = 1; i <= steps; ++i) path.push_back(turns[k - 1] + (turns[k] - turns[k - 1]) * i / steps);
-  return path;
-}
-
-std::string segment_of(const Samples& samples, std::size_t i) {
-  return samples.segment_names[static_cast<std::size_t>(samples.list[i].segment)];
-}
+using test::Column;
+using test::driven;
+using test::segment_of;
+using test::zigzag;
 
 TEST(Samples_analytic, of_a_loop_know_their_direction_and_path_since_the_turn) {
   const Samples samples = samples_of(driven(Motion::sliding, zigzag({0, 1e-7, -1e-7, 1e-7, -1e-7}, 40)));
@@ -86,62 +60,6 @@ TEST(Samples_analytic, of_an_approach_with_a_hold_are_parted_there) {
   EXPECT_NEAR(samples.list[75].hold_time, 7.5, 0.51);
   EXPECT_EQ(samples.list[130].hold_time, 0);
   EXPECT_EQ(samples.list[75].speed, 0);  // of approach there is none
-}
-
-TEST(Samples_behaviour, follow_the_motion_where_names_of_segments_mean_nothing) {
-  Column path = zigzag({-1e-8, 5e-8}, 60);
-  path.insert(path.end(), 30, 5e-8);
-  for (const double x : zigzag({5e-8, -1e-8}, 60)) path.push_back(x);
-  Recording recording = driven(Motion::normal, path);
-  const auto name_them = [&](const char* up, const char* rest, const char* down) {
-    auto& names = recording.tables[0].segment;
-    names.assign(61, up), names.insert(names.end(), 30, rest), names.insert(names.end(), 61, down);
-  };
-  for (const auto& [up, rest, down] :
-       {std::tuple{"", "", ""}, std::tuple{"Load", "HOLD", "unload"},
-        std::tuple{"approach", "dwell", "retract"}, std::tuple{"1", "2", "3"},
-        std::tuple{"load", "load", "unload"}, std::tuple{"load", "pause", ""}}) {
-    name_them(up, rest, down);
-    const Samples samples = samples_of(recording);
-    EXPECT_EQ(segment_of(samples, 30), "load") << up;
-    EXPECT_EQ(segment_of(samples, 75), "hold") << rest;
-    EXPECT_EQ(samples.list[75].hold, 1) << rest;
-    EXPECT_EQ(segment_of(samples, 130), "unload") << down;
-  }
-  const auto remark = [&] {
-    const auto remarks = remarks_on_segments(recording);
-    return remarks.empty() ? "" : remarks.at(0);
-  };
-  EXPECT_EQ(remark().rfind("segments are named 'pause', which is none of load", 0), 0u) << remark();
-  name_them("Load", "hold", "UNLOAD");
-  EXPECT_EQ(remark(), "");
-  for (std::size_t i = 0; i < 9; ++i) recording.tables[0].segment[i] = "s" + std::to_string(i);
-  EXPECT_NE(remark().find("'s0', 's1', 's2', 's3', 's4' and others"), std::string::npos) << remark();
-}
-
-TEST(Samples_behaviour, of_a_hold_are_those_that_rest_or_those_named_where_any_is) {
-  Column path = zigzag({0, 1e-7}, 200);
-  path.insert(path.end(), 30, 1e-7);
-  for (const double x : zigzag({1e-7, 0}, 200)) path.push_back(x);
-  Recording recording = driven(Motion::normal, path);
-  const Samples inferred = samples_of(recording);
-  EXPECT_EQ(segment_of(inferred, 199), "load");  // within a hundredth of the range, as the hold is
-  EXPECT_EQ(segment_of(inferred, 202), "hold");
-  EXPECT_EQ(segment_of(inferred, 230), "hold");
-  EXPECT_EQ(segment_of(inferred, 232), "unload");
-  auto& names = recording.tables[0].segment;
-  names.assign(211, "load"), names.insert(names.end(), 10, "hold"), names.insert(names.end(), 211, "unload");
-  const Samples named = samples_of(recording);
-  for (std::size_t i = 0; i < path.size(); ++i) EXPECT_EQ(segment_of(named, i), names[i]) << i;
-}
-
-TEST(Samples_behaviour, rest_off_contact_in_a_segment_named_load_without_a_hold) {
-  Column force(60, 0.0);  // driven, though the probe moves
-  for (int i = 1; i <= 90; ++i) force.push_back(1e-6 * i);
-  Recording recording = driven(Motion::normal, force);
-  EXPECT_EQ(segment_of(samples_of(recording), 30), "hold");
-  recording.tables[0].segment.assign(force.size(), "load");
-  EXPECT_EQ(segment_of(samples_of(recording), 30), "load");
 }
 
 TEST(Samples_analytic, have_the_speed_of_their_path_and_time_unless_it_was_recorded) {
@@ -335,30 +253,6 @@ TEST(Samples_behaviour, of_a_series_are_rows_on_their_own_that_may_name_their_di
   EXPECT_EQ(samples.list[2].sd, 0);
   EXPECT_EQ(samples.list[0].rail_angle, 0.3);
   EXPECT_EQ(samples.list[0].rms_roughness, 0.3e-9);
-}
-
-TEST(Samples_behaviour, of_a_series_without_names_go_the_way_that_friction_says) {
-  Recording recording = driven(Motion::sliding, {0, 0, 0, 0, 0, 0});
-  auto& table = recording.tables[0];
-  table.kind = TableKind::series;
-  table.control = {"normal_force"};
-  table.columns["normal_force"] = {3e-3, 3e-3, 3e-5, 3e-5, 1e-3, 0};
-  table.columns["lateral_force"] = {9e-4, -9e-4, 9e-6, -9e-6, NAN, -1e-7};
-  const auto directions = [&] {
-    std::vector<int> all;
-    for (const auto& s : samples_of(recording).list) all.push_back(s.direction);
-    return all;
-  };
-  EXPECT_EQ(directions(), (std::vector<int>{1, -1, 1, -1, 1, 1}));
-  EXPECT_EQ(remarks_on_segments(recording).at(0),
-            "2 of 6 rows of 't.csv' have a lateral force below zero and no name of a direction: they were "
-            "taken for "
-            "motion backward");
-  table.columns["lateral_force"][2] = -1e-6;  // noise
-  EXPECT_EQ(directions()[2], 1);
-  table.segment = {"forward", "", "", "backward", "", ""};  // who names some means them
-  EXPECT_EQ(directions(), (std::vector<int>{1, 1, 1, -1, 1, 1}));
-  EXPECT_TRUE(remarks_on_segments(recording).empty());
 }
 
 TEST(Samples_behaviour, thinned_keep_ends_and_four_times_as_many_after_a_turn) {

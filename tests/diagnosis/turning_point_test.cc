@@ -8,12 +8,12 @@
 #include "diagnosis/mechanics/mechanics.h"
 #include "diagnosis/recording/experiment.h"
 #include "diagnosis/recording/samples.h"
-#include "tests/diagnosis/support/made_recording.h"
+#include "tests/diagnosis/support/driven_recording.h"
 
 namespace asperity {
 namespace {
 
-using Column = std::vector<double>;
+using test::Column;
 
 /// There with the speed 1 to 100 and back with another one, at times half a unit apart that begin at `phase`.
 struct Clocked {
@@ -95,25 +95,41 @@ TEST(TurningPoint_behaviour, is_none_after_a_pause_or_where_the_motion_slows_dow
 /// Segments: named by nobody, or the farthest sample for the way there, or for the way back.
 enum class Named { nobody, there, back };
 Recording loop(double rate, double phase, Named named = Named::nobody) {
-  Recording recording;
-  recording.mode = Motion::sliding;
-  recording.particle = test::borosilicate(), recording.substrate = test::silicon();
-  RecordingTable table;
-  table.file = "t.csv";
-  table.control = {"lateral_displacement", "normal_force"};
-  table.response = "lateral_force";
+  Column time, path;
+  std::vector<std::string> segments;
   for (double t = phase / rate; t < 1.6; t += 1 / rate) {
-    const double in_cycle = std::fmod(t, 0.8);
-    table.columns["time"].push_back(t);
-    table.columns["lateral_displacement"].push_back(1e-6 * (in_cycle < 0.4 ? in_cycle : 0.8 - in_cycle));
-    table.columns["normal_force"].push_back(1e-4);
-    table.columns["lateral_force"].push_back(0);
-    const double sooner = named == Named::back ? 1 / rate : 0;
+    const double in_cycle = std::fmod(t, 0.8), sooner = named == Named::back ? 1 / rate : 0;
+    time.push_back(t);
+    path.push_back(1e-6 * (in_cycle < 0.4 ? in_cycle : 0.8 - in_cycle));
     if (named != Named::nobody)
-      table.segment.push_back(std::fmod(t + sooner, 0.8) < 0.4 ? "forward" : "backward");
+      segments.emplace_back(std::fmod(t + sooner, 0.8) < 0.4 ? "forward" : "backward");
   }
-  recording.tables = {table};
+  Recording recording = test::driven(Motion::sliding, path);
+  RecordingTable& table = recording.tables[0];
+  table.columns["time"] = time;
+  table.columns["normal_force"] = Column(path.size(), 1e-4);
+  table.columns["lateral_force"] = Column(path.size(), 0.0);
+  table.control.emplace_back("normal_force");
+  table.segment = segments;
   return recording;
+}
+
+TEST(Samples_analytic, count_their_path_from_a_turn_between_them) {
+  for (const Named named : {Named::nobody, Named::there, Named::back})
+    for (const double phase : {0.1, 0.35, 0.5, 0.8}) {
+      const Samples samples = samples_of(loop(100, phase, named));
+      for (const Sample& s : samples.list)
+        if (s.time > 0.4 && s.time < 1.2) {
+          const double turn = s.time < 0.8 ? 400e-9 : 0;
+          EXPECT_NEAR(s.since_reversal, std::abs(s.lateral_displacement - turn), 1e-12) << s.time;
+          EXPECT_EQ(s.direction, s.time < 0.8 ? -1 : 1) << s.time;
+        }
+      const auto first = std::find_if(samples.list.begin(), samples.list.end(),
+                                      [](const Sample& s) { return s.time > 0.4; });
+      ASSERT_TRUE(first->turn);
+      EXPECT_NEAR(first->turn->displacement, 400e-9, 1e-14);
+      EXPECT_NEAR(first->turn->time, 0.4, 1e-8);
+    }
 }
 
 Column simulated_forces(const Recording& recording) {
