@@ -92,6 +92,7 @@ Samples loops(const Experiment& e, double load, double stroke, double speed, int
         s.direction = direction;
         s.since_reversal = step * (i + 1);
         s.cycle = cycle;
+        s.cycles_passed = cycle + (segment + (i + 1.0) / steps_of_branch) / 2;
         s.segment = segment;
         samples.list.push_back(s);
       }

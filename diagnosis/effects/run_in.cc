@@ -45,7 +45,7 @@ class RunIn : public Effect {
   void assemble(Mechanics& m, const double* p) const override {
     const double change = p[0], cycles = p[1];
     m.lateral.coefficient_changes.push_back([change, cycles](double mu, const SlipState& s) {
-      return mu * (1 + change * std::exp(-(s.sample->cycle + s.sample->cycle_part) / cycles));
+      return mu * (1 + change * std::exp(-s.sample->cycles_passed / cycles));
     });
   }
 

@@ -15,22 +15,6 @@ namespace {
 /// Of the square of a unit normal variable: its median, and the mean of its lowest 60 % (0.1288/0.6).
 constexpr double median_of_square = 0.454936, trimmed_mean_of_square = 0.2146, kept = 0.6;
 
-/// Blocks of one table: contiguous counted samples of one part, residual over the given shape of noise.
-std::vector<std::vector<double>> blocks_of(const Samples& samples, const std::vector<double>& residual,
-                                           std::size_t table) {
-  std::vector<std::vector<double>> list;
-  for (const auto& run : samples.runs) {
-    if (run.table != table || run.independent_rows) continue;
-    for (std::size_t i = run.begin; i < run.end; ++i) {
-      const Sample& s = samples.list[i];
-      if (i == run.begin || s.part != samples.list[i - 1].part || !samples.list[i - 1].counts)
-        list.emplace_back();
-      if (s.counts) list.back().push_back(residual[i]);
-    }
-  }
-  return list;
-}
-
 /// Rows of a series that were recorded under the same settings in the same direction: scatter about their
 /// mean, pooled; 0 with fewer than eight rows beyond the first of each.
 double scatter_of_repeated_rows(const Samples& samples, const std::vector<double>& residual,
@@ -74,6 +58,21 @@ double scatter_of_series(const Samples& samples, const std::vector<double>& resi
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> blocks_of(const Samples& samples, const std::vector<double>& values,
+                                           std::size_t table) {
+  std::vector<std::vector<double>> list;
+  for (const auto& run : samples.runs) {
+    if (run.table != table || run.independent_rows) continue;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const Sample& s = samples.list[i];
+      if (i == run.begin || s.part != samples.list[i - 1].part || !samples.list[i - 1].counts)
+        list.emplace_back();
+      if (s.counts) list.back().push_back(values[i]);
+    }
+  }
+  return list;
+}
 
 ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& blocks) {
   const std::size_t lags[] = {1, 2, 3};

@@ -8,11 +8,19 @@
 
 namespace asperity {
 
+/// A driving channel whose noise the recorded response does not follow: it enters the simulation only.
+struct NoiseOfControl {
+  std::string channel, response;
+  double sd = 0;           ///< of that channel, as given or as it scatters over neighbours at most [SI]
+  double of_response = 0;  ///< what it adds, root mean square [unit of the response]
+};
+
 struct Noise {
   std::vector<double> sd;           ///< of each sample
   std::vector<SharedNoise> shared;  ///< by run
   std::vector<std::string>
       from;  ///< by table: "given by row", "given", "repeats", "high frequencies", "residuals"
+  std::vector<NoiseOfControl> of_control;
   bool is_absolute =
       true;  ///< false where the residuals themselves were taken as noise: no absolute test then
 };
@@ -25,6 +33,11 @@ struct ShortScaleNoise {
   std::size_t count = 0;           ///< of second differences
 };
 ShortScaleNoise short_scale_noise(const std::vector<std::vector<double>>& blocks);
+
+/// Values of the traces of one table in blocks of contiguous samples that count, of one part each; in the
+/// unit of the values.
+std::vector<std::vector<double>> blocks_of(const Samples& samples, const std::vector<double>& values,
+                                           std::size_t table);
 
 /// From what is given, from repeats, else from the high frequencies of the residuals.
 Noise estimate_noise(const Recording& recording, const Samples& samples, const std::vector<double>& residual);

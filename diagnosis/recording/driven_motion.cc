@@ -6,6 +6,7 @@
 #include "diagnosis/recording/control_noise.h"
 #include "diagnosis/recording/median.h"
 #include "diagnosis/recording/monotonic_path.h"
+#include "diagnosis/recording/time_from_path.h"
 
 namespace asperity {
 namespace {
@@ -21,15 +22,34 @@ void make_paths_monotonic(Samples& samples, const SampleRun& run) {
   }
 }
 
-/// Part of each cycle's path that has passed.
+/// Cycles that have passed at each sample since the run began, within one by path. The first and the last
+/// may be less than a whole one: a run mostly begins in the middle of its stroke.
 template <class Driven>
 void follow_cycles(Samples& samples, const SampleRun& run, const Driven& driven) {
-  for (std::size_t from = run.begin, to = from; from < run.end; from = to) {
-    double path = 0;
-    for (; to < run.end && samples.list[to].cycle == samples.list[from].cycle; ++to)
-      samples.list[to].cycle_part = path +=
-          to == run.begin ? 0 : std::abs(driven(samples.list[to]) - driven(samples.list[to - 1]));
-    for (std::size_t i = from; i < to; ++i) samples.list[i].cycle_part /= path > 0 ? path : 1;
+  struct Cycle {
+    std::size_t begin;
+    double length;  // of its path
+  };
+  std::vector<Cycle> cycles;
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    Sample& s = samples.list[i];
+    if (i == run.begin || s.cycle != samples.list[i - 1].cycle) cycles.push_back({i, 0});
+    if (i > run.begin) cycles.back().length += std::abs(driven(s) - driven(samples.list[i - 1]));
+    s.cycles_passed = cycles.back().length;
+  }
+  std::vector<double> whole;
+  for (std::size_t k = 1; k + 1 < cycles.size(); ++k) whole.push_back(cycles[k].length);
+  const double usual = whole.empty() ? 0 : median(std::move(whole));
+  const double missing = usual > 0 ? std::max(0.0, 1 - cycles.front().length / usual) : 0;  // of the first
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    const bool at_an_end = k == 0 || k + 1 == cycles.size();
+    const double length = at_an_end ? std::max(usual, cycles[k].length) : cycles[k].length;
+    const std::size_t end = k + 1 < cycles.size() ? cycles[k + 1].begin : run.end;
+    for (std::size_t i = cycles[k].begin; i < end; ++i) {
+      Sample& s = samples.list[i];
+      s.cycles_passed = length > 0 ? s.cycles_passed / length : 0;
+      if (k > 0) s.cycles_passed += s.cycle - samples.list[run.begin].cycle - missing;
+    }
   }
 }
 
@@ -219,6 +239,7 @@ void follow_motion(Samples& samples, const SampleRun& run, const DrivenBy& by) {
     // First, so that no sample of the other way is smoothed into a segment.
     find_turning_points(samples, run);
     make_paths_monotonic(samples, run);
+    if (by.time_from_path) take_time_from_path(samples, run);
     find_turning_points(samples, run);
   }
   find_reversals(samples, run, by.has_cycles, driven);

@@ -10,6 +10,7 @@ struct DrivenBy {
   bool normal = false;  ///< approach, else lateral motion
   bool force = false;   ///< of normal experiments: the force, else the displacement
   bool has_speed = false, has_cycles = false, has_time = false;
+  bool time_from_path = false;  ///< a lateral motion whose table gives speeds and no time
 };
 
 /// Fills the samples of one run, whose segments are named, with what follows from the control alone.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "diagnosis/recording/median.h"
+#include "diagnosis/recording/time_from_path.h"
 
 namespace asperity {
 namespace {
@@ -102,10 +103,11 @@ Experiment experiment_of(const Recording& recording, const Samples& samples) {
   take_bodies(e, recording);
   e.smallest_force = e.smoothest = e.smallest_radius = std::numeric_limits<double>::infinity();
   Gathered all;
-  for (const auto& run : samples.runs) {
-    take_run(e, all, run, samples);
-    e.has_time = e.has_time || recording.tables[run.table].has("time");
-  }
+  for (const auto& run : samples.runs) take_run(e, all, run, samples);
+  e.has_time =
+      e.has_trace && std::all_of(samples.runs.begin(), samples.runs.end(), [&](const SampleRun& run) {
+        return run.independent_rows || time_is_known(recording, recording.tables[run.table]);
+      });
   for (auto& [channel, values] : all.set) e.different[channel] = different(std::move(values));
   e.largest_force = *std::max_element(all.forces.begin(), all.forces.end());
   std::vector<double> sizes;

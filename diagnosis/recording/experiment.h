@@ -41,7 +41,7 @@ struct Experiment {
        has_off_contact = false;
   /// Samples below first touch by more than a fiftieth of the largest displacement.
   std::size_t samples_off_contact = 0;
-  bool has_time = false;
+  bool has_time = false;           ///< the times of all traces are known
   bool response_is_force = false;  ///< a normal force is recorded under a driven displacement
   /// The simulation is a case of finite elements: laws keep only what its entries can say.
   bool by_finite_elements = false;

@@ -12,6 +12,7 @@
 #include "diagnosis/recording/recording_table_file.h"
 #include "diagnosis/recording/segment_names.h"
 #include "diagnosis/recording/simulation_json.h"
+#include "diagnosis/recording/time_from_path.h"
 
 namespace asperity {
 namespace {
@@ -143,7 +144,8 @@ Recording read_recording(const fs::path& given) {
   for (const auto& table : json["tables"])
     recording.tables.push_back(table_of(table, recording.mode, recording.folder, file));
   check_recording(recording);
-  for (const std::string& remark : remarks_on_segments(recording)) recording.remarks.push_back(remark);
+  for (const auto& remarks : {remarks_on_segments(recording), remarks_on_time(recording)})
+    recording.remarks.insert(recording.remarks.end(), remarks.begin(), remarks.end());
   turn_signs_to_dissipate(recording);
   return recording;
 }

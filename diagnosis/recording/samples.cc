@@ -7,6 +7,7 @@
 #include "diagnosis/recording/driven_motion.h"
 #include "diagnosis/recording/inferred_segments.h"
 #include "diagnosis/recording/segment_names.h"
+#include "diagnosis/recording/time_from_path.h"
 
 namespace asperity {
 namespace {
@@ -118,9 +119,9 @@ void add_run(Samples& samples, SampleRun run, const Recording& recording,
   }
   run.end = samples.list.size();
   if (!run.independent_rows)
-    follow_motion(
-        samples, run,
-        {normal, run.response_is_displacement, table.has("speed"), table.has("cycle"), table.has("time")});
+    follow_motion(samples, run,
+                  {normal, run.response_is_displacement, table.has("speed"), table.has("cycle"),
+                   table.has("time"), !table.has("time") && time_is_known(recording, table)});
   samples.runs.push_back(run);
 }
 

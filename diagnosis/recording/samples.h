@@ -27,7 +27,7 @@ struct Sample {
   int hold = 0;                      ///< holds of the run begun so far
   int direction = 1;                 ///< of lateral motion, or of approach: +1, -1
   double cycle = 0;                  ///< number of the loop, from 0
-  double cycle_part = 0;             ///< part of its path that has passed, 0 to 1
+  double cycles_passed = 0;          ///< since the run began, within a cycle by path
   int segment = 0;                   ///< index into Samples::segment_names
   int part = 0;                      ///< number of the contiguous part of one run and segment
   int row = 0;                       ///< of the table

@@ -57,7 +57,7 @@ TEST(StaticFrictionPeak_analytic, decays_with_the_path_slipped) {
 TEST(RunIn_analytic, fades_with_cycles_and_their_parts) {
   Sample s;
   EXPECT_NEAR(changed("run_in", {0.5, 2}, s), 0.3, 1e-12);
-  s.cycle = 1, s.cycle_part = 0.5;
+  s.cycles_passed = 1.5;
   EXPECT_NEAR(changed("run_in", {0.5, 2}, s), 0.2 * (1 + 0.5 * std::exp(-0.75)), 1e-12);
   EXPECT_NEAR(changed("run_in", {-0.5, 2}, s), 0.2 * (1 - 0.5 * std::exp(-0.75)), 1e-12);
 }

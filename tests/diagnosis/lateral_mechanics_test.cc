@@ -67,7 +67,7 @@ TEST(LateralMechanics_analytic, static_friction_decays_over_its_slip_length) {
 TEST(LateralMechanics_analytic, running_in_fades_over_the_cycles) {
   const Experiment e = experiment(Motion::sliding);
   Samples path = lateral_path(1e-3, {0, 100 * nm}, 101);
-  for (auto& s : path.list) s.cycle = 4;
+  for (auto& s : path.list) s.cycles_passed = 4;
   EXPECT_NEAR(simulate(with(e, {{"run_in", {0.5, 2}}}), path).back(), 0.2e-3 * (1 + 0.5 * std::exp(-2)),
               1e-12);
 }

@@ -10,6 +10,7 @@
 #include "diagnosis/import/segments.h"
 #include "diagnosis/recording/experiment.h"
 #include "diagnosis/recording/probe_jumps.h"
+#include "diagnosis/recording/time_from_path.h"
 #include "tests/diagnosis/support/driven_recording.h"
 
 namespace asperity {
@@ -35,8 +36,42 @@ TEST(Samples_analytic, of_a_loop_know_their_direction_and_path_since_the_turn) {
   EXPECT_EQ(samples.list[60].cycle, 0);
   EXPECT_EQ(samples.list[100].cycle, 1);
   EXPECT_EQ(samples.list[160].cycle, 1);
-  EXPECT_NEAR(samples.list[60].cycle_part, 2.0 / 3, 0.02);  // 2e-7 of 3e-7
-  EXPECT_NEAR(samples.list[160].cycle_part, 1, 1e-12);
+  EXPECT_NEAR(samples.list[60].cycles_passed, 2.0 / 3, 0.02);  // 2e-7 of 3e-7
+  EXPECT_NEAR(samples.list[160].cycles_passed, 2, 1e-12);
+}
+
+TEST(Samples_analytic, count_the_cycles_of_a_run_that_begins_and_ends_within_one_by_its_path) {
+  const Samples samples =
+      samples_of(driven(Motion::sliding, zigzag({0, 1e-7, -1e-7, 1e-7, -1e-7, 1e-7, -1e-7, 0}, 40)));
+  // By segments three quarters, two whole ones and a half; in a cycle 4e-7 of path.
+  for (const auto& [i, cycles] : {std::pair{0u, 0.0},
+                                  {40u, 0.25},
+                                  {80u, 0.75},
+                                  {120u, 1.25},
+                                  {160u, 1.75},
+                                  {200u, 2.25},
+                                  {240u, 2.75},
+                                  {280u, 3.0}})
+    EXPECT_NEAR(samples.list[i].cycles_passed, cycles, 0.01) << i;
+}
+
+TEST(Samples_analytic, of_a_lateral_trace_without_time_take_path_over_speed) {
+  const Column path = zigzag({0, 1e-7, -1e-7, 1e-7}, 40);
+  Recording recording = driven(Motion::sliding, path);
+  auto& columns = recording.tables[0].columns;
+  columns.erase("time");
+  EXPECT_FALSE(experiment_of(recording, samples_of(recording)).has_time);
+  ASSERT_EQ(remarks_on_time(recording).size(), 1u);
+  EXPECT_NE(remarks_on_time(recording)[0].find("no effect that passes with time"), std::string::npos);
+  for (std::size_t i = 0; i < path.size(); ++i) columns["speed"].push_back(i < 80 ? 1e-6 : 4e-6);
+  const Samples samples = samples_of(recording);
+  EXPECT_TRUE(experiment_of(recording, samples).has_time);
+  EXPECT_NEAR(samples.list[40].time, 0.1, 0.002);
+  EXPECT_NEAR(samples.list[79].time, 0.3, 0.006);
+  EXPECT_NEAR(samples.list[120].time, 0.35, 0.006);
+  EXPECT_NE(remarks_on_time(recording)[0].find("path over speed"), std::string::npos);
+  columns["speed"][60] = 0;  // it rests, one does not know how long
+  EXPECT_FALSE(experiment_of(recording, samples_of(recording)).has_time);
 }
 
 TEST(Samples_analytic, of_an_approach_with_a_hold_are_parted_there) {

@@ -1,0 +1,140 @@
+#include "diagnosis/fit/noise_of_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/recording/control_noise.h"
+#include "diagnosis/recording/smoothed_control.h"
+
+namespace asperity {
+namespace {
+
+using Channel = double Sample::*;
+
+std::pair<std::string, Channel> driving_channel(const RecordingTable& table, Motion mode) {
+  if (mode == Motion::normal && table.response != "normal_displacement")
+    return {"normal_displacement", &Sample::normal_displacement};
+  return {"normal_force", &Sample::normal_force};
+}
+
+/// Standard deviations of the channel in all samples of one table: as given, else what the sample's run
+/// scatters over neighbours; 0 in other tables.
+std::vector<double> noise_of_channel(const Recording& recording, const Samples& samples, std::size_t table,
+                                     const std::string& name, Channel channel) {
+  std::vector<double> sd(samples.list.size(), 0.0);
+  const auto given = recording.noise.find(name);
+  for (const auto& run : samples.runs) {
+    if (run.table != table || run.independent_rows) continue;
+    std::vector<double> signal;
+    for (std::size_t i = run.begin; i < run.end; ++i) signal.push_back(samples.list[i].*channel);
+    const double of_run = given != recording.noise.end() ? given->second : control_noise(signal);
+    for (std::size_t i = run.begin; i < run.end; ++i) sd[i] = of_run;
+  }
+  return sd;
+}
+
+/// Change of the simulation with the channel's noise, of all samples: half of that between one standard
+/// deviation more and one less.
+std::vector<double> passed_on(const ModelFit& fit, const Samples& samples, Channel channel,
+                              const std::vector<double>& sd) {
+  constexpr double least = 0.01;  // of what presses: without it the contact is lost
+  Samples more = samples, less = samples;
+  for (std::size_t i = 0; i < sd.size(); ++i) {
+    const double value = samples.list[i].*channel;
+    more.list[i].*channel += sd[i];
+    less.list[i].*channel = value > 0 ? std::max(value - sd[i], least * value) : value - sd[i];
+  }
+  const std::vector<double> high = fit.simulate(more), low = fit.simulate(less);
+  std::vector<double> change(high.size());
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] = std::abs(high[i] - low[i]) / 2;
+  return change;
+}
+
+/// The residual of one table over its noise with `part` of what is passed on.
+ShortScaleNoise scatter_with(const Samples& samples, std::size_t table, const std::vector<double>& residual,
+                             const std::vector<double>& sd, const std::vector<double>& passed, double part) {
+  std::vector<double> normal(residual.size());
+  for (std::size_t i = 0; i < normal.size(); ++i)
+    normal[i] = residual[i] / std::hypot(sd[i], part * passed[i]);
+  return short_scale_noise(blocks_of(samples, normal, table));
+}
+
+/// Whether what is passed on accounts for a residual that scatters over neighbours by more than its noise:
+/// for half of its variance beyond that, and not with a small part of it, as where the response follows.
+bool accounts_for_scatter(const Samples& samples, std::size_t table, const std::vector<double>& residual,
+                          const std::vector<double>& sd, const std::vector<double>& passed) {
+  constexpr double clear = 4;  // standard deviations
+  constexpr double least = 0.5;
+  constexpr std::size_t fewest = 30;
+  const auto scatter = [&](double part) { return scatter_with(samples, table, residual, sd, passed, part); };
+  const ShortScaleNoise without = scatter(0);
+  if (without.count < fewest) return false;
+  if (without.sd < 1 + clear / std::sqrt(static_cast<double>(without.count))) return false;
+  const auto variance = [](double sd) { return sd * sd; };
+  return scatter(least).sd > 1 && variance(scatter(1).sd) - 1 < least * (variance(without.sd) - 1);
+}
+
+/// Adds what is passed on to the noise of one table, with the correlation that is left then.
+void add_to(Noise& noise, const Samples& samples, std::size_t table, const std::vector<double>& residual,
+            const std::vector<double>& passed) {
+  const ShortScaleNoise left = scatter_with(samples, table, residual, noise.sd, passed, 1);
+  for (std::size_t r = 0; r < samples.runs.size(); ++r) {
+    const SampleRun& run = samples.runs[r];
+    if (run.table != table) continue;
+    noise.shared[r] = {1, left.correlation};
+    for (std::size_t i = run.begin; i < run.end; ++i) noise.sd[i] = std::hypot(noise.sd[i], passed[i]);
+  }
+}
+
+double mean_square(const Samples& samples, std::size_t table, const std::vector<double>& values) {
+  double squares = 0, count = 0;
+  for (const auto& run : samples.runs)
+    for (std::size_t i = run.begin; i < run.end && run.table == table; ++i)
+      squares += values[i] * values[i], ++count;
+  return count > 0 ? squares / count : 0;
+}
+
+}  // namespace
+
+std::vector<TremblingControl> trembling_controls(const Recording& recording, const FitProblem& problem,
+                                                 const ModelFit& baseline) {
+  std::vector<TremblingControl> found;
+  const Samples& samples = problem.samples;
+  for (std::size_t t = 0; t < recording.tables.size(); ++t) {
+    const RecordingTable& table = recording.tables[t];
+    if (table.kind != TableKind::trace || problem.noise.from[t] == "residuals") continue;
+    const auto [name, channel] = driving_channel(table, recording.mode);
+    TremblingControl control{t, name, channel, noise_of_channel(recording, samples, t, name, channel)};
+    control.largest = *std::max_element(control.sd.begin(), control.sd.end());
+    if (!(control.largest > 0)) continue;
+    const std::vector<double> passed = passed_on(baseline, samples, channel, control.sd);
+    if (!accounts_for_scatter(samples, t, problem.baseline_residual, problem.noise.sd, passed)) continue;
+    control.of_response = std::sqrt(mean_square(samples, t, passed));
+    control.over_noise = control.of_response / std::sqrt(mean_square(samples, t, problem.noise.sd));
+    found.push_back(control);
+  }
+  return found;
+}
+
+void smooth_controls(Samples& samples, std::vector<TremblingControl>& controls) {
+  constexpr double well_below = 0.2;  // of the noise of the response
+  for (TremblingControl& control : controls)
+    for (const auto& run : samples.runs) {
+      if (run.table != control.table) continue;
+      const std::vector<double> left =
+          smooth_control(samples, run, control.channel, well_below / control.over_noise);
+      for (std::size_t i = run.begin; i < run.end; ++i) control.sd[i] *= left[i - run.begin];
+    }
+}
+
+void add_noise_of_controls(const std::vector<TremblingControl>& controls, const FitProblem& problem,
+                           const ModelFit& baseline, Noise& noise) {
+  for (const TremblingControl& control : controls) {
+    const std::vector<double> passed = passed_on(baseline, problem.samples, control.channel, control.sd);
+    add_to(noise, problem.samples, control.table, problem.baseline_residual, passed);
+    noise.of_control.push_back({control.name, problem.samples.response_channels[control.table],
+                                control.largest, control.of_response});
+  }
+}
+
+}  // namespace asperity

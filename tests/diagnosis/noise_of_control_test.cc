@@ -1,0 +1,83 @@
+// Noise of the channel that drives the simulation: found where the response does not follow it, smoothed, and
+// counted as far as it is left.
+#include "diagnosis/fit/noise_of_control.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "diagnosis/fit/prepared_fit.h"
+#include "diagnosis/locate/scan.h"
+#include "diagnosis/recording/smoothed_control.h"
+#include "tests/diagnosis/support/driven_recording.h"
+
+namespace asperity {
+namespace {
+
+using test::uN;
+
+/// Hertz's contact pressed to 1 mN and back under a force whose record trembles by 3 uN; whether the contact
+/// feels that.
+Recording trembling_indentation(bool felt) {
+  Recording r = test::driven(Motion::normal, test::zigzag({5 * uN, 1000 * uN, 5 * uN}, 300));
+  RecordingTable& table = r.tables[0];
+  std::vector<double> force = table.columns["normal_displacement"];
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  // Johnson 1985, eq. (4.23).
+  const double modulus = 1 / ((1 - 0.17 * 0.17) / 71e9 + (1 - 0.25 * 0.25) / 179e9);
+  std::vector<double> displacement, recorded;
+  for (const double f : force) {
+    recorded.push_back(f + 3 * uN * normal(random));
+    const double pressing = std::max(1e-9, felt ? recorded.back() : f);
+    displacement.push_back(std::cbrt(std::pow(0.75 * pressing / modulus, 2) / 8.5e-6) +
+                           0.03e-9 * normal(random));
+  }
+  table.columns = {{"normal_force", recorded}, {"normal_displacement", displacement}};
+  table.control = {"normal_force"}, table.response = "normal_displacement";
+  return r;
+}
+
+TEST(NoiseOfControl_analytic, of_a_force_that_the_contact_does_not_feel_is_no_mismatch) {
+  for (const bool given : {false, true}) {
+    Recording r = trembling_indentation(false);
+    if (given) r.noise["normal_displacement"] = 0.03e-9;
+    const PreparedFit fit = prepared_fit(r, {});
+    const Noise& noise = fit.problem.noise;
+    ASSERT_EQ(noise.of_control.size(), 1u) << given;
+    EXPECT_EQ(noise.of_control[0].channel, "normal_force");
+    EXPECT_NEAR(noise.of_control[0].sd, 3 * uN, 0.5 * uN);
+    EXPECT_NEAR(chi2_reduced(fit.problem.samples, fit.problem.baseline_residual, noise), 1, 0.15);
+    // Away from the ends of a part little is left of it after smoothing.
+    EXPECT_LT(noise.sd[150], 1.15 * 0.03e-9);
+  }
+}
+
+TEST(NoiseOfControl_analytic, of_a_force_that_the_contact_feels_is_none) {
+  const PreparedFit fit = prepared_fit(trembling_indentation(true), {});
+  EXPECT_TRUE(fit.problem.noise.of_control.empty());
+  EXPECT_NEAR(chi2_reduced(fit.problem.samples, fit.problem.baseline_residual, fit.problem.noise), 1, 0.15);
+}
+
+TEST(SmoothedControl_analytic, keeps_a_parabola_within_each_part_and_says_what_is_left_of_noise) {
+  Samples samples;
+  for (int i = 0; i < 80; ++i) {
+    Sample s;
+    s.part = i / 40;
+    s.normal_force = i < 40 ? 1 + 0.1 * i - 0.001 * i * i : 50;  // a jump between parts stays one
+    samples.list.push_back(s);
+  }
+  const Samples before = samples;
+  SampleRun run;
+  run.end = 80;
+  const std::vector<double> left = smooth_control(samples, run, &Sample::normal_force, 0.1);
+  for (std::size_t i = 0; i < 80; ++i)
+    EXPECT_NEAR(samples.list[i].normal_force, before.list[i].normal_force, 1e-9) << i;
+  // The middle of a parabola through 2 m + 1 points, m = 6: 3 (3 m^2 + 3 m - 1) / ((2m + 3)(2m + 1)(2m - 1)).
+  EXPECT_NEAR(left[20], std::sqrt(3.0 * (3 * 36 + 18 - 1) / (15.0 * 13 * 11)), 1e-9);
+  EXPECT_GT(left[0], left[20]);
+}
+
+}  // namespace
+}  // namespace asperity
