@@ -22,9 +22,9 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
         printed("neighbouring samples share their noise (correlation %.2f), so that they count as fewer",
                 correlation));
   for (const NoiseOfControl& control : problem.noise.of_control)
-    remarks.push_back("'" + control.channel + "' scatters over neighbours by " +
-                      printed("%.2g ", control.sd) + unit_of_channel(control.channel) + ", which '" +
-                      control.response + "' does not follow: driven by it the simulation counts as off by " +
+    remarks.push_back("'" + control.channel + "' has a noise of " + printed("%.2g ", control.sd) +
+                      unit_of_channel(control.channel) + ", which '" + control.response +
+                      "' does not follow: driven by it the simulation counts as off by " +
                       printed("%.2g ", control.of_response) + unit_of_channel(control.response));
   if (outliers > 0)
     remarks.push_back(outliers == 1 ? "1 sample lies far off its neighbours and does not count"

@@ -17,18 +17,25 @@ std::pair<std::string, Channel> driving_channel(const RecordingTable& table, Mot
   return {"normal_force", &Sample::normal_force};
 }
 
-/// Standard deviations of the channel in all samples of one table: as given, else what the sample's run
-/// scatters over neighbours; 0 in other tables.
+/// Standard deviations of the channel in all samples of one table: as its row gives, else as given for all,
+/// else what the sample's run scatters over neighbours, of traces; 0 in other tables.
 std::vector<double> noise_of_channel(const Recording& recording, const Samples& samples, std::size_t table,
                                      const std::string& name, Channel channel) {
   std::vector<double> sd(samples.list.size(), 0.0);
   const auto given = recording.noise.find(name);
+  const auto by_row = recording.tables[table].columns.find(name + "_sd");
   for (const auto& run : samples.runs) {
-    if (run.table != table || run.independent_rows) continue;
+    if (run.table != table) continue;
     std::vector<double> signal;
-    for (std::size_t i = run.begin; i < run.end; ++i) signal.push_back(samples.list[i].*channel);
+    for (std::size_t i = run.begin; i < run.end && !run.independent_rows; ++i)
+      signal.push_back(samples.list[i].*channel);
     const double of_run = given != recording.noise.end() ? given->second : control_noise(signal);
-    for (std::size_t i = run.begin; i < run.end; ++i) sd[i] = of_run;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      sd[i] = of_run;
+      if (by_row == recording.tables[table].columns.end()) continue;
+      const double of_row = by_row->second[static_cast<std::size_t>(samples.list[i].row)];
+      if (of_row > 0) sd[i] = of_row;
+    }
   }
   return sd;
 }
@@ -81,7 +88,7 @@ void add_to(Noise& noise, const Samples& samples, std::size_t table, const std::
   for (std::size_t r = 0; r < samples.runs.size(); ++r) {
     const SampleRun& run = samples.runs[r];
     if (run.table != table) continue;
-    noise.shared[r] = {1, left.correlation};
+    if (!run.independent_rows) noise.shared[r] = {1, left.correlation};
     for (std::size_t i = run.begin; i < run.end; ++i) noise.sd[i] = std::hypot(noise.sd[i], passed[i]);
   }
 }
@@ -102,13 +109,17 @@ std::vector<TremblingControl> trembling_controls(const Recording& recording, con
   const Samples& samples = problem.samples;
   for (std::size_t t = 0; t < recording.tables.size(); ++t) {
     const RecordingTable& table = recording.tables[t];
-    if (table.kind != TableKind::trace || problem.noise.from[t] == "residuals") continue;
+    const bool is_series = table.kind == TableKind::series;
+    // What scatters over repeats or neighbours holds the noise of the load already.
+    if (is_series ? problem.noise.from[t].rfind("given", 0) != 0 : problem.noise.from[t] == "residuals")
+      continue;
     const auto [name, channel] = driving_channel(table, recording.mode);
     TremblingControl control{t, name, channel, noise_of_channel(recording, samples, t, name, channel)};
     control.largest = *std::max_element(control.sd.begin(), control.sd.end());
     if (!(control.largest > 0)) continue;
     const std::vector<double> passed = passed_on(baseline, samples, channel, control.sd);
-    if (!accounts_for_scatter(samples, t, problem.baseline_residual, problem.noise.sd, passed)) continue;
+    if (!is_series && !accounts_for_scatter(samples, t, problem.baseline_residual, problem.noise.sd, passed))
+      continue;
     control.of_response = std::sqrt(mean_square(samples, t, passed));
     control.over_noise = control.of_response / std::sqrt(mean_square(samples, t, problem.noise.sd));
     found.push_back(control);
@@ -120,7 +131,7 @@ void smooth_controls(Samples& samples, std::vector<TremblingControl>& controls) 
   constexpr double well_below = 0.2;  // of the noise of the response
   for (TremblingControl& control : controls)
     for (const auto& run : samples.runs) {
-      if (run.table != control.table) continue;
+      if (run.table != control.table || run.independent_rows) continue;
       const std::vector<double> left =
           smooth_control(samples, run, control.channel, well_below / control.over_noise);
       for (std::size_t i = run.begin; i < run.end; ++i) control.sd[i] *= left[i - run.begin];

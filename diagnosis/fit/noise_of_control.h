@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// A driving channel of one table that trembles and whose response does not follow.
+/// A driving channel of one table with noise that its response does not follow.
 struct TremblingControl {
   std::size_t table = 0;
   std::string name;
@@ -16,7 +16,8 @@ struct TremblingControl {
   double over_noise = 0;   ///< that over the noise of the response [-]
 };
 
-/// Those whose noise, passed on by the simulation, accounts for a residual that scatters over neighbours by
+/// Of series, those whose rows have a noise of the control as well as of the response given. Of traces, those
+/// whose noise, passed on by the simulation, accounts for a residual that scatters over neighbours by
 /// more than the noise of the response: one that follows its control, however that trembles, is none.
 std::vector<TremblingControl> trembling_controls(const Recording& recording, const FitProblem& problem,
                                                  const ModelFit& baseline);

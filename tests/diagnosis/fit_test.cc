@@ -171,7 +171,7 @@ TEST_P(OwnLaw_regression, parameters_come_back_from_their_own_law) {
       run.begin = samples.list.size();
       for (std::size_t i = 0; i < part.list.size(); ++i) {
         Sample s = part.list[i];
-        s.cycle = static_cast<double>(i / 300);
+        s.cycle = s.cycles_passed = static_cast<double>(i / 300);
         s.part = samples.parts + static_cast<int>(i / 150);
         const double travelled = s.direction > 0 ? s.lateral_displacement : 1e-7 - s.lateral_displacement;
         s.since_reversal = travelled;

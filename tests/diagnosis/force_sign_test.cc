@@ -143,7 +143,10 @@ TEST(ForceSign_behaviour, of_positions_along_a_line_is_that_of_the_segments_name
 
 TEST(ForceSign_behaviour, is_turned_in_reading_and_said_in_the_recording) {
   const test::TemporaryFolder folder;
-  write_recording(slid(-2, 2), folder.path);
+  Recording loop = slid(-2, 2);
+  for (std::size_t i = 0; i < loop.tables[0].rows(); ++i)
+    loop.tables[0].columns["time"].push_back(static_cast<double>(i));
+  write_recording(loop, folder.path);
   const Recording read = read_recording(folder.path);
   EXPECT_EQ(read.tables[0].column("lateral_displacement")[20], -20e-9);
   EXPECT_EQ(read.tables[0].column("lateral_force")[20], -2e-6);

@@ -60,6 +60,34 @@ TEST(NoiseOfControl_analytic, of_a_force_that_the_contact_feels_is_none) {
   EXPECT_NEAR(chi2_reduced(fit.problem.samples, fit.problem.baseline_residual, fit.problem.noise), 1, 0.15);
 }
 
+TEST(NoiseOfControl_analytic, of_rows_that_give_it_is_added_in_squares_through_the_slope) {
+  constexpr double mu = 0.3, of_load = 4 * uN, of_friction = 0.5 * uN;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  Recording r = test::driven(Motion::sliding, {});
+  RecordingTable& table = r.tables[0];
+  table.kind = TableKind::series, table.control = {"normal_force"}, table.columns.clear();
+  for (int i = 0; i < 200; ++i) {
+    const double load = (20 + i) * uN;
+    table.columns["normal_force"].push_back(load + of_load * normal(random));
+    table.columns["lateral_force"].push_back(mu * load + of_friction * normal(random));
+    table.columns["lateral_force_sd"].push_back(of_friction);
+  }
+  const auto chi2_of = [&] {
+    const PreparedFit fit = prepared_fit(r, {});
+    return chi2_reduced(fit.problem.samples, fit.problem.baseline_residual, fit.problem.noise);
+  };
+  EXPECT_GT(chi2_of(), 4) << "the noise of the friction alone does not explain the scatter";
+  table.columns["normal_force_sd"] = test::Column(200, of_load);
+  EXPECT_NEAR(chi2_of(), 1, 0.2);  // two deviations of chi-square of 200 rows
+  const PreparedFit fit = prepared_fit(r, {});
+  EXPECT_NEAR(fit.problem.noise.sd[100], std::hypot(of_friction, mu * of_load), 0.03 * uN);
+  ASSERT_EQ(fit.problem.noise.of_control.size(), 1u);
+  table.columns.erase("normal_force_sd");
+  r.noise["normal_force"] = of_load;
+  EXPECT_NEAR(chi2_of(), 1, 0.2);
+}
+
 TEST(SmoothedControl_analytic, keeps_a_parabola_within_each_part_and_says_what_is_left_of_noise) {
   Samples samples;
   for (int i = 0; i < 80; ++i) {
