@@ -24,7 +24,7 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
   for (const NoiseOfControl& control : problem.noise.of_control)
     remarks.push_back("'" + control.channel + "' has a noise of " + printed("%.2g ", control.sd) +
                       unit_of_channel(control.channel) + ", which '" + control.response +
-                      "' does not follow: driven by it the simulation counts as off by " +
+                      "' does not follow: smoothed where neighbours allow it, it counts as a noise of " +
                       printed("%.2g ", control.of_response) + unit_of_channel(control.response));
   if (outliers > 0)
     remarks.push_back(outliers == 1 ? "1 sample lies far off its neighbours and does not count"

@@ -12,7 +12,7 @@ namespace asperity {
 struct NoiseOfControl {
   std::string channel, response;
   double sd = 0;           ///< of that channel, as given or as it scatters over neighbours at most [SI]
-  double of_response = 0;  ///< what it adds, root mean square [unit of the response]
+  double of_response = 0;  ///< what it adds after smoothing, root mean square [unit of the response]
 };
 
 struct Noise {

@@ -103,9 +103,9 @@ double mean_square(const Samples& samples, std::size_t table, const std::vector<
 
 }  // namespace
 
-std::vector<TremblingControl> trembling_controls(const Recording& recording, const FitProblem& problem,
-                                                 const ModelFit& baseline) {
-  std::vector<TremblingControl> found;
+std::vector<NoisyControl> noisy_controls(const Recording& recording, const FitProblem& problem,
+                                         const ModelFit& baseline) {
+  std::vector<NoisyControl> found;
   const Samples& samples = problem.samples;
   for (std::size_t t = 0; t < recording.tables.size(); ++t) {
     const RecordingTable& table = recording.tables[t];
@@ -114,22 +114,22 @@ std::vector<TremblingControl> trembling_controls(const Recording& recording, con
     if (is_series ? problem.noise.from[t].rfind("given", 0) != 0 : problem.noise.from[t] == "residuals")
       continue;
     const auto [name, channel] = driving_channel(table, recording.mode);
-    TremblingControl control{t, name, channel, noise_of_channel(recording, samples, t, name, channel)};
+    NoisyControl control{t, name, channel, noise_of_channel(recording, samples, t, name, channel)};
     control.largest = *std::max_element(control.sd.begin(), control.sd.end());
     if (!(control.largest > 0)) continue;
     const std::vector<double> passed = passed_on(baseline, samples, channel, control.sd);
     if (!is_series && !accounts_for_scatter(samples, t, problem.baseline_residual, problem.noise.sd, passed))
       continue;
-    control.of_response = std::sqrt(mean_square(samples, t, passed));
-    control.over_noise = control.of_response / std::sqrt(mean_square(samples, t, problem.noise.sd));
+    control.over_noise =
+        std::sqrt(mean_square(samples, t, passed) / mean_square(samples, t, problem.noise.sd));
     found.push_back(control);
   }
   return found;
 }
 
-void smooth_controls(Samples& samples, std::vector<TremblingControl>& controls) {
+void smooth_controls(Samples& samples, std::vector<NoisyControl>& controls) {
   constexpr double well_below = 0.2;  // of the noise of the response
-  for (TremblingControl& control : controls)
+  for (NoisyControl& control : controls)
     for (const auto& run : samples.runs) {
       if (run.table != control.table || run.independent_rows) continue;
       const std::vector<double> left =
@@ -138,13 +138,14 @@ void smooth_controls(Samples& samples, std::vector<TremblingControl>& controls) 
     }
 }
 
-void add_noise_of_controls(const std::vector<TremblingControl>& controls, const FitProblem& problem,
+void add_noise_of_controls(const std::vector<NoisyControl>& controls, const FitProblem& problem,
                            const ModelFit& baseline, Noise& noise) {
-  for (const TremblingControl& control : controls) {
+  for (const NoisyControl& control : controls) {
     const std::vector<double> passed = passed_on(baseline, problem.samples, control.channel, control.sd);
     add_to(noise, problem.samples, control.table, problem.baseline_residual, passed);
     noise.of_control.push_back({control.name, problem.samples.response_channels[control.table],
-                                control.largest, control.of_response});
+                                control.largest,
+                                std::sqrt(mean_square(problem.samples, control.table, passed))});
   }
 }
 

@@ -6,28 +6,28 @@
 namespace asperity {
 
 /// A driving channel of one table with noise that its response does not follow.
-struct TremblingControl {
+struct NoisyControl {
   std::size_t table = 0;
   std::string name;
   double Sample::*channel = nullptr;  ///< [SI]
   std::vector<double> sd;  ///< of all samples, as given or as their run scatters over neighbours [SI]
   double largest = 0;      ///< of these before smoothing [SI]
-  double of_response = 0;  ///< what the simulation makes of it, root mean square [unit of the response]
-  double over_noise = 0;   ///< that over the noise of the response [-]
+  double over_noise =
+      0;  ///< what the simulation makes of it over the noise of the response, root mean square [-]
 };
 
 /// Of series, those whose rows have a noise of the control as well as of the response given. Of traces, those
 /// whose noise, passed on by the simulation, accounts for a residual that scatters over neighbours by
-/// more than the noise of the response: one that follows its control, however that trembles, is none.
-std::vector<TremblingControl> trembling_controls(const Recording& recording, const FitProblem& problem,
-                                                 const ModelFit& baseline);
+/// more than the noise of the response: one that follows its control, however noisy that is, is none.
+std::vector<NoisyControl> noisy_controls(const Recording& recording, const FitProblem& problem,
+                                         const ModelFit& baseline);
 
 /// Smooths them, until what is left is well below the noise of the response where parts are long enough.
-void smooth_controls(Samples& samples, std::vector<TremblingControl>& controls);
+void smooth_controls(Samples& samples, std::vector<NoisyControl>& controls);
 
 /// Adds what is left of them, through the slope of the simulation, to the standard deviations of `noise`;
 /// correlations are those of the residual then. `noise.of_control` says what was found.
-void add_noise_of_controls(const std::vector<TremblingControl>& controls, const FitProblem& problem,
+void add_noise_of_controls(const std::vector<NoisyControl>& controls, const FitProblem& problem,
                            const ModelFit& baseline, Noise& noise);
 
 }  // namespace asperity

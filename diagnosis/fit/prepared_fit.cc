@@ -94,7 +94,7 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
   std::vector<double> recorded(problem.samples.list.size());
   for (std::size_t i = 0; i < recorded.size(); ++i) recorded[i] = problem.samples.list[i].response;
   const Noise recorded_noise = problem.noise = estimate_noise(recording, problem.samples, recorded);
-  std::vector<TremblingControl> trembling;
+  std::vector<NoisyControl> noisy;
   constexpr int rounds = 2;  // a first noise to fit with, then that of the fit's own residuals
   for (int round = 0; round < rounds; ++round) {
     if (round == 0 && problem.experiment.mode != Motion::normal)
@@ -110,15 +110,11 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
       problem.noise = again;
     else
       problem.noise = recorded_noise;
-    if (round == 0) {
-      trembling = trembling_controls(recording, problem, prepared.baseline);
-      add_noise_of_controls(trembling, problem, prepared.baseline, problem.noise);
-      smooth_controls(problem.samples, trembling);
-    } else {
-      add_noise_of_controls(trembling, problem, prepared.baseline, problem.noise);
-    }
-    if (round == 0)
-      prepared.outliers = mark_outliers(problem.samples, problem.baseline_residual, problem.noise);
+    if (round == 0) noisy = noisy_controls(recording, problem, prepared.baseline);
+    add_noise_of_controls(noisy, problem, prepared.baseline, problem.noise);
+    if (round > 0) continue;
+    prepared.outliers = mark_outliers(problem.samples, problem.baseline_residual, problem.noise);
+    smooth_controls(problem.samples, noisy);
   }
   problem.thin = samples_for_search(problem.samples);
   prepared.short_scale_noise = problem.noise;

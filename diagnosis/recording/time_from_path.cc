@@ -38,7 +38,7 @@ std::vector<std::string> remarks_on_time(const Recording& recording) {
     if (table.kind != TableKind::trace || table.has("time")) continue;
     const std::string begin = "'" + printable(table.file) + "' has no column of time: ";
     remarks.push_back(begin + (time_is_known(recording, table)
-                                   ? "path over speed was taken for it, in which rests do not count"
+                                   ? "path over speed was taken for it, in which time at rest is missing"
                                    : "no effect that passes with time was tried"));
   }
   return remarks;

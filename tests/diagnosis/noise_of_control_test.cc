@@ -17,9 +17,9 @@ namespace {
 
 using test::uN;
 
-/// Hertz's contact pressed to 1 mN and back under a force whose record trembles by 3 uN; whether the contact
-/// feels that.
-Recording trembling_indentation(bool felt) {
+/// Hertz's contact pressed to 1 mN and back under a force whose record has a noise of 3 uN; whether the
+/// contact feels that.
+Recording indentation_under_a_noisy_force(bool felt) {
   Recording r = test::driven(Motion::normal, test::zigzag({5 * uN, 1000 * uN, 5 * uN}, 300));
   RecordingTable& table = r.tables[0];
   std::vector<double> force = table.columns["normal_displacement"];
@@ -41,7 +41,7 @@ Recording trembling_indentation(bool felt) {
 
 TEST(NoiseOfControl_analytic, of_a_force_that_the_contact_does_not_feel_is_no_mismatch) {
   for (const bool given : {false, true}) {
-    Recording r = trembling_indentation(false);
+    Recording r = indentation_under_a_noisy_force(false);
     if (given) r.noise["normal_displacement"] = 0.03e-9;
     const PreparedFit fit = prepared_fit(r, {});
     const Noise& noise = fit.problem.noise;
@@ -49,15 +49,48 @@ TEST(NoiseOfControl_analytic, of_a_force_that_the_contact_does_not_feel_is_no_mi
     EXPECT_EQ(noise.of_control[0].channel, "normal_force");
     EXPECT_NEAR(noise.of_control[0].sd, 3 * uN, 0.5 * uN);
     EXPECT_NEAR(chi2_reduced(fit.problem.samples, fit.problem.baseline_residual, noise), 1, 0.15);
+    EXPECT_LT(noise.of_control[0].of_response, 0.03e-9) << "what is left of it";
     // Away from the ends of a part little is left of it after smoothing.
     EXPECT_LT(noise.sd[150], 1.15 * 0.03e-9);
   }
 }
 
 TEST(NoiseOfControl_analytic, of_a_force_that_the_contact_feels_is_none) {
-  const PreparedFit fit = prepared_fit(trembling_indentation(true), {});
+  const PreparedFit fit = prepared_fit(indentation_under_a_noisy_force(true), {});
   EXPECT_TRUE(fit.problem.noise.of_control.empty());
   EXPECT_NEAR(chi2_reduced(fit.problem.samples, fit.problem.baseline_residual, fit.problem.noise), 1, 0.15);
+}
+
+/// Coulomb's friction of 0.3 under a load whose record has a noise of 0.5 %, between turns far apart.
+TEST(NoiseOfControl_analytic, of_a_load_that_friction_does_not_feel_is_no_mismatch) {
+  Recording r = test::driven(Motion::sliding, test::zigzag({0, 1e-6, -1e-6, 1e-6, -1e-6, 1e-6}, 100));
+  RecordingTable& table = r.tables[0];
+  std::mt19937 random(6);
+  std::normal_distribution<double> normal;
+  constexpr double mu = 0.3, load = 200 * uN, of_friction = 0.15 * uN;
+  const auto& path = table.columns["lateral_displacement"];
+  double before = -1;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double direction = path[i] > before ? 1 : -1;
+    before = path[i];
+    table.columns["normal_force"].push_back(load * (1 + 0.005 * normal(random)));
+    table.columns["lateral_force"][i] = direction * mu * load + of_friction * normal(random);
+  }
+  r.noise["lateral_force"] = of_friction;
+  const PreparedFit fit = prepared_fit(r, {});
+  ASSERT_EQ(fit.problem.noise.of_control.size(), 1u);
+  EXPECT_NEAR(fit.problem.noise.of_control[0].sd, 1 * uN, 0.15 * uN);
+  // 27 of the 100 samples of a part, m = 13 in the formula of the test of smoothing below.
+  EXPECT_NEAR(fit.problem.noise.sd[150], std::hypot(of_friction, mu * uN * std::sqrt(1635.0 / 19575)),
+              0.01 * uN);
+  std::vector<double> sliding;  // over noise, 50 nm after a turn
+  for (const Sample& s : fit.problem.samples.list)
+    if (s.counts && s.since_reversal > 50e-9)
+      sliding.push_back(fit.problem.baseline_residual[s.index] / fit.problem.noise.sd[s.index]);
+  ASSERT_GT(sliding.size(), 400u);
+  double squares = 0;
+  for (const double x : sliding) squares += x * x;
+  EXPECT_NEAR(squares / static_cast<double>(sliding.size()), 1, 0.2);  // three deviations of chi-square
 }
 
 TEST(NoiseOfControl_analytic, of_rows_that_give_it_is_added_in_squares_through_the_slope) {
@@ -105,6 +138,9 @@ TEST(SmoothedControl_analytic, keeps_a_parabola_within_each_part_and_says_what_i
   // The middle of a parabola through 2 m + 1 points, m = 6: 3 (3 m^2 + 3 m - 1) / ((2m + 3)(2m + 1)(2m - 1)).
   EXPECT_NEAR(left[20], std::sqrt(3.0 * (3 * 36 + 18 - 1) / (15.0 * 13 * 11)), 1e-9);
   EXPECT_GT(left[0], left[20]);
+  // As little as can be: three samples at an end pass the parabola through themselves.
+  EXPECT_NEAR(smooth_control(samples, run, &Sample::normal_force, 0.99)[0], 1, 1e-9);
+  EXPECT_EQ(smooth_control(samples, run, &Sample::normal_force, 1.5), std::vector<double>(80, 1.0));
 }
 
 }  // namespace

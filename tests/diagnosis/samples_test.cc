@@ -70,6 +70,10 @@ TEST(Samples_analytic, of_a_lateral_trace_without_time_take_path_over_speed) {
   EXPECT_NEAR(samples.list[79].time, 0.3, 0.006);
   EXPECT_NEAR(samples.list[120].time, 0.35, 0.006);
   EXPECT_NE(remarks_on_time(recording)[0].find("path over speed"), std::string::npos);
+  Recording mixed = recording;  // one table knows its times, the other does not
+  mixed.tables.push_back(recording.tables[0]);
+  mixed.tables[1].columns.erase("speed");
+  EXPECT_FALSE(experiment_of(mixed, samples_of(mixed)).has_time);
   columns["speed"][60] = 0;  // it rests, one does not know how long
   EXPECT_FALSE(experiment_of(recording, samples_of(recording)).has_time);
 }
