@@ -10,6 +10,7 @@
 #include "diagnosis/choose/evidence.h"
 #include "diagnosis/choose/judged_sets.h"
 #include "diagnosis/choose/law_error.h"
+#include "diagnosis/choose/search_with_deviations.h"
 #include "diagnosis/choose/tell_apart.h"
 #include "diagnosis/describe.h"
 #include "diagnosis/fit/likely_surface.h"
@@ -40,11 +41,8 @@ class Diagnoser {
 
   Diagnosis run() {
     say("locating the mismatch");
+    search_ = search_with_deviations(prepared_, options_.seed, options_.progress);
     auto scanner_of_noise = new_scanner();
-    const IsNoise is_noise = [&](const ModelFit& fit) {
-      return remaining(problem_, baseline_, *scanner_of_noise, fit).p_value > significance;
-    };
-    search_ = search_effects(problem_, baseline_, is_noise, options_.progress);
     // The residual of the best explanation is the best estimate of the noise.
     if (search_.explains() && learns_noise_from(search_.candidates.front().fit)) {
       rescore(search_, problem_);
@@ -269,6 +267,7 @@ class Diagnoser {
     result_.noise = described_noise(problem_);
     result_.remarks = recording_.remarks;
     remark_all(remarks_on_noise(problem_, prepared_.outliers, prepared_.in_jumps));
+    remark_all(unused_deviations(recording_, problem_.noise));
     remark_all(remarks_on_sets(judged_));
   }
 

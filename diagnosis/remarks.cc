@@ -9,6 +9,21 @@
 #include "diagnosis/locate/waves.h"
 
 namespace asperity {
+namespace {
+
+std::string remark_on(const NoiseOfControl& control) {
+  const std::string has = "'" + control.channel + "' has a noise of " + (control.by_row ? "up to " : "") +
+                          printed("%.2g ", control.sd) + unit_of_channel(control.channel),
+                    adds =
+                        printed(" a noise of %.2g ", control.of_response) + unit_of_channel(control.response);
+  if (!control.by_row)
+    return has + ", which '" + control.response +
+           "' does not follow: smoothed where neighbours allow it, it counts as" + adds;
+  if (control.of_response > 0) return has + ", which counts as" + adds + " of '" + control.response + "'";
+  return has + ", which counts for nothing: what was simulated does not depend on it";
+}
+
+}  // namespace
 
 std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t outliers,
                                           std::size_t in_jumps) {
@@ -21,11 +36,7 @@ std::vector<std::string> remarks_on_noise(const FitProblem& problem, std::size_t
     remarks.push_back(
         printed("neighbouring samples share their noise (correlation %.2f), so that they count as fewer",
                 correlation));
-  for (const NoiseOfControl& control : problem.noise.of_control)
-    remarks.push_back("'" + control.channel + "' has a noise of " + printed("%.2g ", control.sd) +
-                      unit_of_channel(control.channel) + ", which '" + control.response +
-                      "' does not follow: smoothed where neighbours allow it, it counts as a noise of " +
-                      printed("%.2g ", control.of_response) + unit_of_channel(control.response));
+  for (const NoiseOfControl& control : problem.noise.of_control) remarks.push_back(remark_on(control));
   if (outliers > 0)
     remarks.push_back(outliers == 1 ? "1 sample lies far off its neighbours and does not count"
                                     : std::to_string(outliers) +

@@ -74,7 +74,8 @@ Blocks blocks_of(const Samples& samples) {
   return blocks;
 }
 
-HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const Blocks& blocks) {
+HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const Blocks& blocks,
+                         double off_by) {
   constexpr int steps = 4;
   HeldOut result;
   result.blocks = blocks.count;
@@ -88,7 +89,8 @@ HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const B
     const ModelFit without = refitted(problem, fit, rest, false, steps);
     for (std::size_t k = 0; k < parameters.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      const double sd = fit.covariance.size() > 0 ? std::sqrt(std::max(0.0, fit.covariance(i, i))) : 0;
+      const double sd =
+          fit.covariance.size() > 0 ? off_by * std::sqrt(std::max(0.0, fit.covariance(i, i))) : 0;
       if (fit.covariance.size() > 0 && moves_too_far(parameters[k], fit.values[k], without.values[k], sd))
         result.consistent = false;
     }

@@ -22,6 +22,8 @@ struct Blocks {
 Blocks blocks_of(const Samples& samples);
 
 /// Fits without each block and predicts it. Samples at a snap count as in fits (FitProblem::residual()).
-HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const Blocks& blocks);
+/// off_by: what the law is off by, over the noise; parameters may differ between blocks by as much [-].
+HeldOut predict_held_out(const FitProblem& problem, const ModelFit& fit, const Blocks& blocks,
+                         double off_by = 1);
 
 }  // namespace asperity

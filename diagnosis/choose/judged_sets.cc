@@ -32,6 +32,27 @@ double mesh_over_noise(const FitProblem& problem, const ModelFit& fit) {
   return sum / std::max(1.0, count);
 }
 
+/// A layer's parameters may differ between parts of the data by what its law is off by.
+bool differs_by_its_law(const FitProblem& problem, const Candidate& candidate, const Blocks& blocks) {
+  if (candidate.where_mended) return predict_held_out(problem, *candidate.where_mended, blocks).consistent;
+  if (!is_layer(candidate.fit)) return false;
+  const double off_by =
+      candidate.fit.cost / static_cast<double>(std::max<std::size_t>(1, candidate.fit.count));
+  return predict_held_out(problem, candidate.fit, blocks, std::sqrt(std::max(1.0, off_by))).consistent;
+}
+
+/// Whether one of no more effects does better by far and was rejected, of sets that leave more than noise:
+/// what imitates the truth less well is not it either.
+bool is_worse_than_rejected(const FitProblem& problem, const SearchResult& search, const Scanner& scanner,
+                            const Candidate& candidate, const std::vector<const Candidate*>& rejected) {
+  const auto is_worse_than = [&](const Candidate* other) {
+    return search.others_in(other->fit) <= search.others_in(candidate.fit) &&
+           is_far_behind(candidate, *other);
+  };
+  return std::any_of(rejected.begin(), rejected.end(), is_worse_than) &&
+         !leaves_noise(problem, search, scanner, candidate);
+}
+
 }  // namespace
 
 bool JudgedSet::is_part_of(const JudgedSet& other) const {
@@ -71,6 +92,7 @@ JudgedSets judged_sets(const FitProblem& problem, SearchResult& search, const Sc
                        const std::function<bool(const ModelFit&)>& is_no_effect) {
   credit_layers(problem, scanner, search);
   JudgedSets judged;
+  std::vector<const Candidate*> rejected;
   for (const auto& candidate : search.candidates) {
     if (judged.list.size() == most_judged) break;
     if (candidate.score < search.alone.score + clear_evidence) break;
@@ -78,6 +100,7 @@ JudgedSets judged_sets(const FitProblem& problem, SearchResult& search, const Sc
     if (candidate.score < search.alone.score + members * clear_evidence) continue;
     if (!judged.list.empty() && is_far_behind(candidate, *judged.list.front().candidate)) continue;
     if (!search.holds_what_is_off_contact(candidate.fit)) continue;
+    if (is_worse_than_rejected(problem, search, scanner, candidate, rejected)) continue;
     if (!candidate.fit.is_itself() || !members_of(problem, search, scanner, candidate).count) continue;
     JudgedSet set{&candidate, finished(problem, candidate.fit), {}};
     if (const std::string parameter = set.fit.stopped_at(); !parameter.empty()) {
@@ -86,12 +109,11 @@ JudgedSets judged_sets(const FitProblem& problem, SearchResult& search, const Sc
     }
     if (set.fit.holds_no_effect(search.overdispersion) || (is_no_effect && is_no_effect(set.fit))) continue;
     set.held_out = predict_held_out(problem, set.fit, blocks);
-    // A layer's parameters may differ between parts of the data by what its law is off by.
-    if (!set.held_out.consistent && candidate.where_mended)
-      set.held_out.consistent = predict_held_out(problem, *candidate.where_mended, blocks).consistent;
-    if (!set.held_out.consistent)
+    if (!set.held_out.consistent) set.held_out.consistent = differs_by_its_law(problem, candidate, blocks);
+    if (!set.held_out.consistent) {
       judged.inconsistent.push_back(candidate.fit.explanation->name());
-    else if (set.held_out.cost < baseline_held_out.cost)
+      rejected.push_back(&candidate);
+    } else if (set.held_out.cost < baseline_held_out.cost)
       judged.list.push_back(std::move(set));
   }
   return judged;

@@ -37,6 +37,11 @@ bool has_layer(const Effects& effects) {
                      [](const Effect* effect) { return effect->description().takes("layer"); });
 }
 
+bool has_asperities(const Effects& effects) {
+  return std::any_of(effects.begin(), effects.end(),
+                     [](const Effect* effect) { return effect->id() == "roughness_compliance"; });
+}
+
 /// Mean square of values about their means in groups of samples at nearly the same displacement, or force
 /// where that is driven, over their mean square [-]: 0 of what depends on it alone.
 double share_with_history(const Samples& samples, const std::vector<double>& values) {
@@ -103,9 +108,12 @@ Place place_of(const FitProblem& problem, const SearchResult& search, const Scan
   const auto& others = smaller.fit.explanation->effects();
   const double enough = others.empty() ? clear_evidence : evidence_for_another;
   const double muted = by_stating_less(smaller, candidate) / search.overdispersion;
-  if (candidate.score < smaller.score + enough ||
-      candidate.score_as_stated - muted < smaller.score_as_stated + enough)
-    return Place::none;
+  if (candidate.score < smaller.score + enough) return Place::none;
+  // What the law of a layer may be off by at the bound that it states is mended all the more.
+  if (candidate.score_as_stated - muted < smaller.score_as_stated + enough)
+    return complete && has_layer(others) && !has_history(problem, search, candidate, others)
+               ? Place::mends_a_layer
+               : Place::none;
   if (others.empty() || member.is_another_value()) return Place::earned;
   const double gained = (smaller.cost - candidate.cost) / search.overdispersion,
                least_gained = (smaller.least_cost() - candidate.least_cost()) / search.overdispersion,
@@ -146,9 +154,9 @@ Members members_of(const FitProblem& problem, const SearchResult& search, const 
   return members;
 }
 
-bool are_layers(const ModelFit& one, const ModelFit& other) {
-  return has_layer(one.explanation->effects()) && has_layer(other.explanation->effects());
-}
+bool is_layer(const ModelFit& fit) { return has_layer(fit.explanation->effects()); }
+
+bool are_layers(const ModelFit& one, const ModelFit& other) { return is_layer(one) && is_layer(other); }
 
 bool would_be_ahead(const Candidate& candidate, const Candidate& best) {
   return !candidate.where_mended && candidate.score_as_stated > best.score_as_stated;
@@ -175,6 +183,8 @@ void credit_layers(const FitProblem& problem, const Scanner& scanner, SearchResu
         leaves_noise(problem, search, scanner, candidate))
       return;  // by its own law
     if (!members.mended || members.mended->score >= candidate.score) continue;
+    // A film follows its law; of asperities each surface is another.
+    if (!has_asperities(members.mended->fit.explanation->effects())) continue;
     credits.push_back({members.mended, &candidate});
   }
   for (const Credit& credit : credits) {

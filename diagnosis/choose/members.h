@@ -27,7 +27,9 @@ Members members_of(const FitProblem& problem, const SearchResult& search, const 
 /// where a layer, in a set that is not far behind the best, fits by its own law.
 void credit_layers(const FitProblem& problem, const Scanner& scanner, SearchResult& search);
 
-/// Whether both hold a layer, of asperities or a film: these look alike, whatever their laws say.
+/// Whether it holds a layer on the surface, of asperities or a film.
+bool is_layer(const ModelFit& fit);
+/// Whether both hold one: these look alike, whatever their laws say.
 bool are_layers(const ModelFit& one, const ModelFit& other);
 /// Ahead if all laws were off by what they state; not said of a layer whose score is of a set that mends it.
 bool would_be_ahead(const Candidate& candidate, const Candidate& best);

@@ -11,6 +11,8 @@ namespace asperity {
 /// A driving channel whose noise the recorded response does not follow: it enters the simulation only.
 struct NoiseOfControl {
   std::string channel, response;
+  std::size_t table = 0;
+  bool by_row = false;     ///< of a series, nothing of which is smoothed
   double sd = 0;           ///< of that channel, as given or as it scatters over neighbours at most [SI]
   double of_response = 0;  ///< what it adds after smoothing, root mean square [unit of the response]
 };

@@ -11,10 +11,24 @@ namespace {
 
 using Channel = double Sample::*;
 
-std::pair<std::string, Channel> driving_channel(const RecordingTable& table, Motion mode) {
+using DrivingChannels = std::vector<std::pair<std::string, Channel>>;
+
+/// Of a trace what drives it, of a series all that its rows vary.
+DrivingChannels driving_channels(const RecordingTable& table, Motion mode) {
+  DrivingChannels list;
   if (mode == Motion::normal && table.response != "normal_displacement")
-    return {"normal_displacement", &Sample::normal_displacement};
-  return {"normal_force", &Sample::normal_force};
+    list.push_back({"normal_displacement", &Sample::normal_displacement});
+  else
+    list.push_back({"normal_force", &Sample::normal_force});
+  if (table.kind == TableKind::trace) return list;
+  const DrivingChannels others{{"speed", &Sample::speed},
+                               {"radius", &Sample::radius},
+                               {"rms_roughness", &Sample::rms_roughness},
+                               {"rail_angle", &Sample::rail_angle},
+                               {"humidity", &Sample::humidity}};
+  for (const auto& other : others)
+    if (table.has(other.first)) list.push_back(other);
+  return list;
 }
 
 /// Standard deviations of the channel in all samples of one table: as its row gives, else as given for all,
@@ -113,16 +127,19 @@ std::vector<NoisyControl> noisy_controls(const Recording& recording, const FitPr
     // What scatters over repeats or neighbours holds the noise of the load already.
     if (is_series ? problem.noise.from[t].rfind("given", 0) != 0 : problem.noise.from[t] == "residuals")
       continue;
-    const auto [name, channel] = driving_channel(table, recording.mode);
-    NoisyControl control{t, name, channel, noise_of_channel(recording, samples, t, name, channel)};
-    control.largest = *std::max_element(control.sd.begin(), control.sd.end());
-    if (!(control.largest > 0)) continue;
-    const std::vector<double> passed = passed_on(baseline, samples, channel, control.sd);
-    if (!is_series && !accounts_for_scatter(samples, t, problem.baseline_residual, problem.noise.sd, passed))
-      continue;
-    control.over_noise =
-        std::sqrt(mean_square(samples, t, passed) / mean_square(samples, t, problem.noise.sd));
-    found.push_back(control);
+    for (const auto& [name, channel] : driving_channels(table, recording.mode)) {
+      NoisyControl control{t, is_series, name, channel,
+                           noise_of_channel(recording, samples, t, name, channel)};
+      control.largest = *std::max_element(control.sd.begin(), control.sd.end());
+      if (!(control.largest > 0)) continue;
+      const std::vector<double> passed = passed_on(baseline, samples, channel, control.sd);
+      if (!is_series &&
+          !accounts_for_scatter(samples, t, problem.baseline_residual, problem.noise.sd, passed))
+        continue;
+      control.over_noise =
+          std::sqrt(mean_square(samples, t, passed) / mean_square(samples, t, problem.noise.sd));
+      found.push_back(control);
+    }
   }
   return found;
 }
@@ -143,10 +160,41 @@ void add_noise_of_controls(const std::vector<NoisyControl>& controls, const FitP
   for (const NoisyControl& control : controls) {
     const std::vector<double> passed = passed_on(baseline, problem.samples, control.channel, control.sd);
     add_to(noise, problem.samples, control.table, problem.baseline_residual, passed);
-    noise.of_control.push_back({control.name, problem.samples.response_channels[control.table],
-                                control.largest,
+    noise.of_control.push_back({control.name, problem.samples.response_channels[control.table], control.table,
+                                control.by_row, control.largest,
                                 std::sqrt(mean_square(problem.samples, control.table, passed))});
   }
+}
+
+std::vector<std::string> unused_deviations(const Recording& recording, const Noise& noise) {
+  std::vector<std::string> remarks;
+  for (std::size_t t = 0; t < recording.tables.size(); ++t) {
+    const RecordingTable& table = recording.tables[t];
+    const DrivingChannels driving = driving_channels(table, recording.mode);
+    for (const std::string& channel : known_channels()) {
+      if (channel == table.response || !table.has(channel + "_sd")) continue;
+      const bool counts = std::any_of(noise.of_control.begin(), noise.of_control.end(),
+                                      [&](const auto& of) { return of.table == t && of.channel == channel; });
+      if (counts) continue;
+      const bool drives = std::any_of(driving.begin(), driving.end(),
+                                      [&](const auto& other) { return other.first == channel; });
+      const std::string why =
+          !drives ? "no simulation of this table passes it on"
+          : table.kind == TableKind::series
+              ? "the noise of '" + table.response + "', from " + noise.from[t] + ", holds it already"
+              : "what is left of '" + table.response + "' scatters by no more than its own noise";
+      remarks.push_back(table.file + ": '" + channel + "_sd' is not used: " + why);
+    }
+  }
+  for (const auto& given : recording.noise) {
+    const std::string& name = given.first;
+    const bool counts = std::any_of(recording.tables.begin(), recording.tables.end(),
+                                    [&](const RecordingTable& table) { return table.response == name; }) ||
+                        std::any_of(noise.of_control.begin(), noise.of_control.end(),
+                                    [&](const NoiseOfControl& of) { return of.channel == name; });
+    if (!counts) remarks.push_back("the noise given of '" + name + "' is not used: no response shows it");
+  }
+  return remarks;
 }
 
 }  // namespace asperity

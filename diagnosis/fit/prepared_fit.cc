@@ -5,7 +5,6 @@
 #include <map>
 
 #include "core/error.h"
-#include "diagnosis/fit/noise_of_control.h"
 #include "diagnosis/fit/outliers.h"
 #include "diagnosis/recording/probe_jumps.h"
 
@@ -76,6 +75,23 @@ bool PreparedFit::learn_noise(const std::vector<double>& residual, double off) {
   return true;
 }
 
+bool PreparedFit::pass_on_deviations(const ModelFit& fit) {
+  const auto is_of_rows = [](const NoisyControl& control) { return control.by_row; };
+  if (noisy_controls.empty() || !std::all_of(noisy_controls.begin(), noisy_controls.end(), is_of_rows))
+    return false;
+  Noise anew = of_response;
+  add_noise_of_controls(noisy_controls, problem, fit, anew);
+  constexpr double little = 0.05;
+  bool changes = false;
+  for (std::size_t i = 0; i < anew.sd.size(); ++i)
+    changes = changes || std::abs(anew.sd[i] / problem.noise.sd[i] - 1) > little;
+  if (!changes) return false;
+  problem.noise = anew;
+  baseline = fit_explanation(problem, {});
+  problem.baseline_residual = baseline.residual(problem.samples);
+  return true;
+}
+
 PreparedFit prepared_fit(const Recording& recording, const std::function<void(const std::string&)>& progress,
                          const MakeCorrection& correct) {
   check_recording(recording);
@@ -94,7 +110,7 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
   std::vector<double> recorded(problem.samples.list.size());
   for (std::size_t i = 0; i < recorded.size(); ++i) recorded[i] = problem.samples.list[i].response;
   const Noise recorded_noise = problem.noise = estimate_noise(recording, problem.samples, recorded);
-  std::vector<NoisyControl> noisy;
+  std::vector<NoisyControl>& noisy = prepared.noisy_controls;
   constexpr int rounds = 2;  // a first noise to fit with, then that of the fit's own residuals
   for (int round = 0; round < rounds; ++round) {
     if (round == 0 && problem.experiment.mode != Motion::normal)
@@ -111,6 +127,7 @@ PreparedFit prepared_fit(const Recording& recording, const std::function<void(co
     else
       problem.noise = recorded_noise;
     if (round == 0) noisy = noisy_controls(recording, problem, prepared.baseline);
+    prepared.of_response = problem.noise;
     add_noise_of_controls(noisy, problem, prepared.baseline, problem.noise);
     if (round > 0) continue;
     prepared.outliers = mark_outliers(problem.samples, problem.baseline_residual, problem.noise);

@@ -8,6 +8,8 @@
 namespace asperity {
 namespace {
 
+const std::string sd = "_sd";
+
 const std::vector<std::pair<std::string, Dimension>>& channels() {
   static const std::vector<std::pair<std::string, Dimension>> list{
       {"run", Dimension::none},
@@ -50,11 +52,12 @@ std::vector<std::string> known_channels() {
   return names;
 }
 
+bool is_deviation(const std::string& channel) {
+  return channel.size() > sd.size() && channel.compare(channel.size() - sd.size(), sd.size(), sd) == 0;
+}
+
 Dimension dimension_of_channel(const std::string& channel) {
-  static const std::string sd = "_sd";
-  const bool is_sd =
-      channel.size() > sd.size() && channel.compare(channel.size() - sd.size(), sd.size(), sd) == 0;
-  const std::string base = is_sd ? channel.substr(0, channel.size() - sd.size()) : channel;
+  const std::string base = is_deviation(channel) ? channel.substr(0, channel.size() - sd.size()) : channel;
   for (const auto& [name, dimension] : channels())
     if (name == base) return dimension;
   throw InputError("there is no channel '" + channel + "'; " + remedy(base, known_channels()));

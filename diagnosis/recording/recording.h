@@ -95,6 +95,8 @@ Dimension dimension_of_channel(const std::string& channel);
 /// "N", "m", ... of a channel.
 std::string unit_of_channel(const std::string& channel);
 std::vector<std::string> known_channels();
+/// Whether a column holds standard deviations of another: "lateral_force_sd".
+bool is_deviation(const std::string& channel);
 
 /// Reads a folder, or its recording.json. Throws InputError: one sentence with file, line and remedy.
 Recording read_recording(const std::filesystem::path& folder);

@@ -111,6 +111,11 @@ void check_table(const Recording& recording, const RecordingTable& table) {
         throw InputError(file + ": row " + std::to_string(row + 1) + " of '" + sd + "' is not above zero");
   const std::string other = recording.mode == Motion::normal ? "normal_displacement" : "normal_force";
   if (recording.mode != Motion::normal && !table.has(other)) table.column(other);
+  for (const auto& [channel, values] : table.columns)
+    if (is_deviation(channel))
+      for (std::size_t row = 0; row < rows; ++row)
+        if (values[row] < 0)
+          throw InputError(file + ": row " + std::to_string(row + 1) + " of '" + channel + "' is below zero");
   check_time(recording, table);
 }
 

@@ -66,6 +66,25 @@ TEST(Members_behaviour, a_layer_has_the_score_of_a_set_that_mends_its_law) {
   for (const Candidate& candidate : alone.candidates) EXPECT_EQ(candidate.where_mended, nullptr);
 }
 
+/// Found in blind recordings of rough spheres: a film with a second effect outdid asperities by themselves,
+/// and the film was named.
+TEST(Members_behaviour, a_film_has_no_score_but_its_own) {
+  FitProblem problem = layer_on_a_larger_sphere(5 * uN, 1);
+  const std::vector<double> force =
+      simulate(test::with(problem.experiment, {{"film", {0.3, 40 * nm}}, {"effective_radius", {1.1}}}),
+               problem.samples);
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < force.size(); ++i)
+    problem.samples.list[i].response = force[i] + 5 * uN * normal(random);
+  problem.thin = problem.samples;
+  SearchResult found =
+      search_effects(problem, fit_explanation(problem, {}), [](const ModelFit&) { return false; }, {});
+  credit_layers(problem, Scanner(problem.samples, problem.experiment, problem.noise, 1), found);
+  for (const Candidate& candidate : found.candidates)
+    if (candidate.fit.explanation->name() == "film") EXPECT_EQ(candidate.where_mended, nullptr);
+}
+
 Candidate candidate_of(const char* effect) {
   Candidate candidate;
   const Experiment e = test::experiment(Motion::normal);

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <random>
 
+#include "core/error.h"
+#include "diagnosis/catalogue/effect.h"
+#include "diagnosis/diagnose.h"
 #include "diagnosis/fit/prepared_fit.h"
 #include "diagnosis/locate/scan.h"
 #include "diagnosis/recording/smoothed_control.h"
@@ -15,6 +18,7 @@
 namespace asperity {
 namespace {
 
+using test::nm;
 using test::uN;
 
 /// Hertz's contact pressed to 1 mN and back under a force whose record has a noise of 3 uN; whether the
@@ -119,6 +123,68 @@ TEST(NoiseOfControl_analytic, of_rows_that_give_it_is_added_in_squares_through_t
   table.columns.erase("normal_force_sd");
   r.noise["normal_force"] = of_load;
   EXPECT_NEAR(chi2_of(), 1, 0.2);
+}
+
+/// Rolling that follows eq. (murofit) of Fuchs et al. 2014 on wafers whose roughness is known to a tenth,
+/// each row on another spot.
+Recording rolling_on_wafers_known_to_a_tenth() {
+  constexpr double b = 4e-4, c = 8e-4, decay = 1.2 * nm, of_force = 2e-9;
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  Recording r = test::driven(Motion::rolling, {});
+  r.indenter = test::diamond();
+  RecordingTable& table = r.tables[0];
+  table.kind = TableKind::series, table.control = {"normal_force"}, table.columns.clear();
+  table.at = ForcePlace::substrate;
+  for (const double rms : {0.3, 0.5, 0.8, 1.2, 1.8, 2.5, 3.2, 4.0})
+    for (const double load : {200, 400, 600, 800, 1000}) {
+      const double on_spot = rms * (1 + 0.1 * normal(random)) * nm;
+      table.columns["normal_force"].push_back(load * uN);
+      table.columns["lateral_force"].push_back(load * uN * (b + c * std::exp(-on_spot / decay)) +
+                                               of_force * normal(random));
+      table.columns["rms_roughness"].push_back(rms * nm);
+      table.columns["rms_roughness_sd"].push_back(0.1 * rms * nm);
+      table.columns["lateral_force_sd"].push_back(of_force);
+    }
+  return r;
+}
+
+TEST(NoiseOfControl_analytic, of_a_roughness_counts_as_the_effect_depends_on_it) {
+  const Recording r = rolling_on_wafers_known_to_a_tenth();
+  PreparedFit fit = prepared_fit(r, {});
+  ASSERT_EQ(fit.problem.noise.of_control.size(), 1u);
+  EXPECT_EQ(fit.problem.noise.of_control[0].of_response, 0) << "a constant factor does not depend on it";
+  const ModelFit found = fit_explanation(fit.problem, {&effect_of("roughness_dependent_rolling")});
+  ASSERT_TRUE(fit.pass_on_deviations(found));
+  // sigma^2 + (f c/d exp(-rms/d) sigma_rms)^2 with the parameters found, at 0.8 nm and 1 mN.
+  const auto& p = found.values;
+  const double slope = 1000 * uN * p[1] / p[2] * std::exp(-0.8 * nm / p[2]);
+  EXPECT_NEAR(fit.problem.noise.sd[14], std::hypot(2e-9, slope * 0.08 * nm), 0.01 * slope * 0.08 * nm);
+  EXPECT_FALSE(fit.pass_on_deviations(found)) << "known already";
+  const Diagnosis said = diagnose(r);
+  EXPECT_EQ(said.verdict, Verdict::explained);
+  ASSERT_EQ(said.left_out.size(), 1u);
+  EXPECT_EQ(said.left_out[0].id, "roughness_dependent_rolling");
+  EXPECT_LT(said.left_out[0].parameters[2].low, 1.2 * nm);
+  EXPECT_GT(said.left_out[0].parameters[2].high, 1.2 * nm);
+}
+
+TEST(NoiseOfControl_behaviour, deviations_that_nothing_counts_are_named) {
+  Recording r = rolling_on_wafers_known_to_a_tenth();
+  EXPECT_TRUE(unused_deviations(r, prepared_fit(r, {}).problem.noise).empty());
+  RecordingTable& table = r.tables[0];
+  table.columns["time_sd"] = table.columns["lateral_force_sd"];
+  r.noise["humidity"] = 2;
+  std::vector<std::string> said = unused_deviations(r, prepared_fit(r, {}).problem.noise);
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_NE(said[0].find("'time_sd' is not used"), std::string::npos) << said[0];
+  EXPECT_NE(said[1].find("'humidity' is not used"), std::string::npos) << said[1];
+  table.columns.erase("time_sd"), table.columns.erase("lateral_force_sd"), r.noise.clear();
+  said = unused_deviations(r, prepared_fit(r, {}).problem.noise);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("holds it already"), std::string::npos) << said[0];
+  table.columns["rms_roughness_sd"][3] = -1e-10;
+  EXPECT_THROW(check_recording(r), InputError);
 }
 
 TEST(SmoothedControl_analytic, keeps_a_parabola_within_each_part_and_says_what_is_left_of_noise) {
