@@ -71,7 +71,7 @@ TEST(Members_behaviour, a_layer_has_the_score_of_a_set_that_mends_its_law) {
 TEST(Members_behaviour, a_film_has_no_score_but_its_own) {
   FitProblem problem = layer_on_a_larger_sphere(5 * uN, 1);
   const std::vector<double> force =
-      simulate(test::with(problem.experiment, {{"film", {0.3, 40 * nm}}, {"effective_radius", {1.1}}}),
+      simulate(test::with(problem.experiment, {{"film", {0.3, 40 * nm}}, {"detector_nonlinearity", {0.03}}}),
                problem.samples);
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
@@ -81,8 +81,10 @@ TEST(Members_behaviour, a_film_has_no_score_but_its_own) {
   SearchResult found =
       search_effects(problem, fit_explanation(problem, {}), [](const ModelFit&) { return false; }, {});
   credit_layers(problem, Scanner(problem.samples, problem.experiment, problem.noise, 1), found);
-  for (const Candidate& candidate : found.candidates)
-    if (candidate.fit.explanation->name() == "film") EXPECT_EQ(candidate.where_mended, nullptr);
+  const auto film = std::find_if(found.candidates.begin(), found.candidates.end(),
+                                 [](const Candidate& c) { return c.fit.explanation->name() == "film"; });
+  ASSERT_NE(film, found.candidates.end());
+  EXPECT_EQ(film->where_mended, nullptr);
 }
 
 Candidate candidate_of(const char* effect) {
