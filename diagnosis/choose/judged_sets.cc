@@ -32,10 +32,11 @@ double mesh_over_noise(const FitProblem& problem, const ModelFit& fit) {
   return sum / std::max(1.0, count);
 }
 
-/// A layer's parameters may differ between parts of the data by what its law is off by.
+/// A layer's parameters may differ between parts of the data by what its law is off by; beside another effect
+/// that could be what the other one lacks.
 bool differs_by_its_law(const FitProblem& problem, const Candidate& candidate, const Blocks& blocks) {
   if (candidate.where_mended) return predict_held_out(problem, *candidate.where_mended, blocks).consistent;
-  if (!is_layer(candidate.fit)) return false;
+  if (!is_layer(candidate.fit) || candidate.fit.explanation->effects().size() > 1) return false;
   const double off_by =
       candidate.fit.cost / static_cast<double>(std::max<std::size_t>(1, candidate.fit.count));
   return predict_held_out(problem, candidate.fit, blocks, std::sqrt(std::max(1.0, off_by))).consistent;
