@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/printable.h"
 #include "diagnosis/recording/control_noise.h"
 #include "diagnosis/recording/smoothed_control.h"
 
@@ -183,7 +184,7 @@ std::vector<std::string> unused_deviations(const Recording& recording, const Noi
           : table.kind == TableKind::series
               ? "the noise of '" + table.response + "', from " + noise.from[t] + ", holds it already"
               : "what is left of '" + table.response + "' scatters by no more than its own noise";
-      remarks.push_back(table.file + ": '" + channel + "_sd' is not used: " + why);
+      remarks.push_back(printable(table.file) + ": '" + channel + "_sd' is not used: " + why);
     }
   }
   for (const auto& given : recording.noise) {

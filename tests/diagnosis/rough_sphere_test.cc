@@ -80,6 +80,20 @@ TEST(RoughSphere_other_code, asperities_seen_from_a_force_of_their_own_are_named
   EXPECT_GT(parameters[2].high, zero);
 }
 
+/// These were a film: alone, `ambiguous`, or with a nonlinear detector, `partly_explained`.
+TEST(RoughSphere_other_code, asperities_that_a_film_imitates_are_named) {
+  const auto folder = std::filesystem::path(__FILE__).parent_path() / "blind/rough_spheres";
+  for (const double largest : {200 * uN, 320 * uN}) {
+    SCOPED_TRACE(largest);
+    const Diagnosis d =
+        diagnose(rough_sphere(folder / "rms1.0_rolloff200_cutoff80_seed11.csv", largest, 0.003, 7));
+    EXPECT_TRUE(d.verdict == Verdict::explained || d.verdict == Verdict::partly_explained)
+        << diagnosis_json(d);
+    ASSERT_EQ(d.left_out.size(), 1u) << diagnosis_json(d);
+    EXPECT_EQ(d.left_out[0].id, "roughness_compliance");
+  }
+}
+
 TEST(RoughSphereNightly_other_code, is_a_layer_of_asperities_and_nothing_is_named_beside_it) {
   const auto folder = std::filesystem::path(__FILE__).parent_path() / "blind/rough_spheres";
   int spheres = 0, named = 0;
