@@ -10,7 +10,10 @@ constexpr double pi = M_PI;
 }  // namespace
 
 YieldingContact::YieldingContact(const Hertz& law, double yield, double hardness, double poisson)
-    : law_(law), hardness_(hardness), of_poisson_(1.295 * std::exp(0.736 * poisson)) {
+    : law_(law),
+      hardness_(hardness),
+      of_poisson_(1.295 * std::exp(0.736 * poisson)),
+      beyond_poisson_(poisson - 0.235) {
   const double pressure = pi * of_poisson_ * yield / 2;
   critical_depth_ = std::pow(pressure / law.reduced_modulus, 2) * law.radius;
   critical_force_ = 4.0 / 3 * std::pow(law.radius / law.reduced_modulus, 2) * std::pow(pressure, 3);
@@ -37,7 +40,7 @@ void YieldingContact::accept(double d) {
   residual_ = 0;
   unloading_ = 1.5;
   if (w <= 1) return;
-  residual_ = d * std::pow(1 - std::pow(w, -0.378), 1.768);
+  residual_ = d * std::pow(1 - std::pow(w, -0.373 - 0.051 * beyond_poisson_), 1.733);
   unloading_ = 1.345 + 0.155 * std::pow(w, -0.545);
 }
 
@@ -49,7 +52,9 @@ double YieldingContact::virgin(double d) const {
   static const double log_onset = std::log(1.9);  // below, the radius is Hertz' (Jackson & Green 2005)
   const double a = std::sqrt(law_.radius * d * std::exp(exponent_ * std::max(0.0, log_w - log_onset)));
   const double hardness = hardness_ - 0.92 * (1 - std::cos(pi * std::min(1.0, a / law_.radius)));
-  const double plastic = 0.0514 * std::exp(1.757 * log_beyond - 1.037 * std::log1p((w - 1) / 2.677));
+  const double u = w - 1, by_poisson = 1 + 0.0036188 * beyond_poisson_ * u / (1 + u / 1654),
+               plastic =
+                   0.06656 * std::exp(1.8812 * log_beyond - 1.1649 * std::log1p(u / 1.9357)) * by_poisson;
   // f/f_c of Jackson & Green (2005, eq. 14), for how the force depends on H/Y: on hardening, and on the size
   // of the contact, which the finite elements of small contacts do not tell. Its jump at w = 1 is left out.
   const double by_elastic = std::exp(-std::exp(5.0 / 12 * log_w) / 4) * w * std::sqrt(w),

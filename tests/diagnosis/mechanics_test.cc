@@ -235,32 +235,34 @@ TEST(Mechanics_analytic, plasticity_is_hertz_before_first_yield) {
 }
 
 TEST(Mechanics_other_code, yielding_follows_axisymmetric_finite_elements) {
-  const Experiment e = experiment(Motion::normal);
-  // A yield stress at which a/R stays small, as in the tables.
-  const double Y = 20e6, critical = critical_approach(e, Y), unit = e.hertz().force(critical);
-  const Mechanics m = with(e, {{"bulk_plasticity", {Y, 2.84}}});
+  Experiment e = experiment(Motion::normal);
+  const double Y = 20e6;  // at which a/R stays small, as in the tables
   const CsvTable loading = read_csv(test::reference_table("02_elastoplastic_table_ownFE.csv"));
   const auto depths = loading.numbers("w/wc");
   for (const char* poisson : {"0.17", "0.25", "0.3"}) {
+    e.particle.poisson_ratio = std::stod(poisson);
+    const double critical = critical_approach(e, Y), unit = e.hertz().force(critical);
+    const Mechanics m = with(e, {{"bulk_plasticity", {Y, 2.84}}});
     const auto forces = loading.numbers(std::string("F/Fc_nu") + poisson);
-    for (std::size_t i = 0; i < depths.size(); ++i)
-      if (depths[i] <= 110) {
-        EXPECT_NEAR(simulate(m, approach_and_back(0, depths[i] * critical, 51))[50] / unit, forces[i],
-                    0.011 * forces[i])
-            << depths[i] << " " << poisson;
-      }
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      if (std::isnan(forces[i])) continue;
+      EXPECT_NEAR(simulate(m, approach_and_back(0, depths[i] * critical, 51))[50] / unit, forces[i],
+                  0.0025 * forces[i])
+          << depths[i] << " " << poisson;
+    }
   }
   const CsvTable unloading = read_csv(test::reference_table("02_elastoplastic_table_unloading.csv"));
   const auto deepest = unloading.numbers("w_max/wc"), residual = unloading.numbers("w_res/w_max_ownFE"),
-             exponents = unloading.numbers("unloading_exponent_fit_ownFE");
+             exponents = unloading.numbers("unloading_exponent_fit_ownFE"), poisson = unloading.numbers("nu");
   for (std::size_t i = 0; i < deepest.size(); ++i) {
-    const double deep = deepest[i] * critical;
-    const auto f = simulate(m, approach_and_back(0, deep, 101));
-    // f/f_m = [(d - d_r)/(d_m - d_r)]^n, held against the tables' d_r and n, by 1.5 % of the largest force.
+    e.particle.poisson_ratio = poisson[i];
+    const double deep = deepest[i] * critical_approach(e, Y);
+    const auto f = simulate(with(e, {{"bulk_plasticity", {Y, 2.84}}}), approach_and_back(0, deep, 101));
+    // f/f_m = [(d - d_r)/(d_m - d_r)]^n, held against the tables' d_r and n, by 1 % of the largest force.
     for (std::size_t k = 0; k < 101; ++k) {
       const double part =
           std::max(0.0, ((1 - static_cast<double>(k) / 100) - residual[i]) / (1 - residual[i]));
-      EXPECT_NEAR(f[101 + k] / f[100], std::pow(part, exponents[i]), 0.015) << deepest[i] << " " << k;
+      EXPECT_NEAR(f[101 + k] / f[100], std::pow(part, exponents[i]), 0.01) << deepest[i] << " " << k;
     }
   }
 }
