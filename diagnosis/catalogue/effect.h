@@ -120,6 +120,9 @@ class Effect {
   virtual double numbers_read_off(const Experiment&, const double*) const { return 0; }
   /// Further starting points read off the residuals before physics is added.
   virtual std::vector<EffectStart> starts(const Samples&, const std::vector<double>&) const { return {}; }
+  /// What the simulation's own laws leave open of each parameter: half a 95 % interval, in its unit; empty:
+  /// nothing.
+  virtual std::vector<double> left_open(const Experiment&) const { return {}; }
   /// How it enters a case of finite elements that is pressed as this experiment is.
   virtual EntersBy enters_by(const Experiment&) const {
     return description().kind == EffectKind::instrument ? EntersBy::measurement : EntersBy::reduced_law_only;

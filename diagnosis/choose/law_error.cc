@@ -177,6 +177,35 @@ LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise,
   return cost;
 }
 
+MatrixXd LawErrors::added_covariance(const Samples& samples, const Noise& noise, MatrixXd changes,
+                                     const ModelErrors& errors) const {
+  const NoiseFilter filter(samples, noise.sd, noise.shared);
+  MatrixXd white(static_cast<Eigen::Index>(whole_.samples.size()), changes.cols());
+  for (Eigen::Index k = 0; k < changes.cols(); ++k) {
+    const auto column = filter.whitened({changes.col(k).begin(), changes.col(k).end()});
+    white.col(k) = Eigen::Map<const VectorXd>(column.data(), static_cast<Eigen::Index>(column.size()));
+  }
+  const VectorXd size = white.colwise().norm();
+  white.array().rowwise() /= size.transpose().array();
+  const MatrixXd by_noise = white.transpose() * white;
+  MatrixXd with_laws = by_noise;
+  const auto let_through = [&](const Group& group, const std::vector<LawError>& of_laws) {
+    if (of_laws.empty() || group.samples.empty()) return;
+    MatrixXd B = columns_of(group.samples, group.shapes, of_laws);
+    filter.whiten(group.samples, B);
+    MatrixXd J(static_cast<Eigen::Index>(group.samples.size()), white.cols());
+    for (std::size_t row = 0; row < group.samples.size(); ++row)
+      J.row(static_cast<Eigen::Index>(row)) = white.row(filter.place(group.samples[row]));
+    const MatrixXd seen = B.transpose() * J, I = MatrixXd::Identity(B.cols(), B.cols());
+    with_laws -= seen.transpose() * (I + B.transpose() * B).ldlt().solve(seen);
+  };
+  let_through(curve_, errors.of_curves);
+  for (const Group& group : groups_) let_through(group, errors.of_laws);
+  const MatrixXd I = MatrixXd::Identity(white.cols(), white.cols());
+  const MatrixXd added = with_laws.ldlt().solve(I) - by_noise.ldlt().solve(I);
+  return (size.cwiseInverse().asDiagonal() * added * size.cwiseInverse().asDiagonal()).eval();
+}
+
 std::vector<double> LawErrors::without_shared_error(const Samples& samples, const Noise& noise,
                                                     std::vector<double> residual,
                                                     const ModelErrors& errors) const {

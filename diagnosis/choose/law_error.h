@@ -12,6 +12,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
 #include <vector>
 
 #include "diagnosis/fit/stated_errors.h"
@@ -52,7 +53,9 @@ LawError together(const std::vector<LawError>& errors, std::size_t count);
 
 /// One for the mesh, where there is one, and one for each effect of a fit whose reduced law counts: its
 /// accuracy times the largest of what it changes nearby, with the other parameters as they are.
-ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
+/// part: of its accuracy, for each effect [-]; empty: one.
+ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline,
+                       const std::function<double(const Effect&)>& part = {});
 /// Of all effects together.
 LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline);
 
@@ -80,6 +83,12 @@ class LawErrors {
   /// deviations each, of surfaces together no more than is likely (of_likely_length).
   std::vector<double> without_shared_error(const Samples& samples, const Noise& noise,
                                            std::vector<double> residual, const ModelErrors& errors) const;
+  /// What laws that may be off add to the covariance of parameters: generalised least squares with and
+  /// without their discrepancy, straight about the fit. changes: of the response with each parameter, a row
+  /// for each sample; no column may be zero or like the others.
+  /// In the parameters' units.
+  Eigen::MatrixXd added_covariance(const Samples& samples, const Noise& noise, Eigen::MatrixXd changes,
+                                   const ModelErrors& errors) const;
 
  private:
   /// Samples whose errors share coefficients, with the cosines there.
@@ -105,5 +114,7 @@ std::vector<double> contribution_of(const Effect& effect, const FitProblem& prob
 /// simulation, by what the data show.
 /// Returns a share [-].
 double accuracy_of(const Effect& effect, const FitProblem& problem, const ModelFit& fit);
+/// Whether that is by what the data show.
+bool is_known_exactly(const Effect& effect);
 
 }  // namespace asperity

@@ -82,7 +82,8 @@ LawError together(const std::vector<LawError>& errors, std::size_t count) {
   return all;
 }
 
-ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline) {
+ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const ModelFit& baseline,
+                       const std::function<double(const Effect&)>& part) {
   const Samples& samples = problem.samples;
   const auto& effects = fit.explanation->effects();
   const auto with = fit.simulate(samples);
@@ -103,11 +104,13 @@ ModelErrors law_errors(const FitProblem& problem, const ModelFit& fit, const Mod
   for (const Effect* left_out : effects) {
     if (fit.is_confirmed && left_out->enters_by(problem.experiment) == EntersBy::finite_elements) continue;
     LawError error = contribution_of(*left_out, problem, samples, fit, with, baseline);
-    for (double& part : error) part = std::abs(part);
+    for (double& change : error) change = std::abs(change);
     error = largest_nearby(samples, error);
     const EffectDescription& law = left_out->description();
+    const double of_accuracy = part ? part(*left_out) : 1;
     for (std::size_t i = 0; i < error.size(); ++i)
-      error[i] = std::hypot(law.accuracy * std::min(error[i], changed[i]),
+      error[i] = of_accuracy *
+                 std::hypot(law.accuracy * std::min(error[i], changed[i]),
                             std::min(law.accuracy_of_response * std::abs(with[i]), law.accuracy * largest));
     (left_out->is_one_curve(problem.experiment) ? errors.of_curves : errors.of_laws)
         .push_back(std::move(error));
@@ -125,11 +128,14 @@ LawError law_error(const FitProblem& problem, const ModelFit& fit, const ModelFi
 
 double accuracy_of(const Effect& effect, const FitProblem& problem, const ModelFit& fit) {
   if (fit.is_confirmed && effect.enters_by(problem.experiment) == EntersBy::finite_elements) return 0;
+  return effect.description().accuracy * (is_known_exactly(effect) ? fit.part_of_bound : 1);
+}
+
+bool is_known_exactly(const Effect& effect) {
   // Not one that states more than is usual, since others write it otherwise.
   const EffectDescription& law = effect.description();
-  const bool is_exact = (law.kind == EffectKind::instrument || effect.is_another_value()) &&
-                        law.accuracy <= EffectDescription::usual_accuracy;
-  return law.accuracy * (is_exact ? fit.part_of_bound : 1);
+  return (law.kind == EffectKind::instrument || effect.is_another_value()) &&
+         law.accuracy <= EffectDescription::usual_accuracy;
 }
 
 }  // namespace asperity

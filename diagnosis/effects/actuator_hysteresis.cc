@@ -26,7 +26,7 @@ class ActuatorHysteresis : public Effect {
         {},
         2,
         true,
-        0.1};
+        0.15};
     return d;
   }
   bool can_show(const Experiment& e) const override {
