@@ -154,7 +154,9 @@ TEST(ConcealedRecording_behaviour, of_a_case_that_pulls_off_holds_no_force_that_
     const double at = table.column("normal_displacement")[i], force = table.column("normal_force")[i];
     EXPECT_FALSE(at < d[open - 1] - 1e-15 && at > d[open] + 1e-15) << at;
     (force < 0 ? held : free) += at < 0 ? 1 : 0;
-    if (at <= d[open]) EXPECT_EQ(force, 0);
+    if (at <= d[open]) {
+      EXPECT_EQ(force, 0);
+    }
   }
   EXPECT_GT(held, 20);
   EXPECT_GT(free, 20);
