@@ -30,6 +30,10 @@ struct EffectParameter {
   /// Value with which the law does without the parameter, in `unit`: it is free, counts and is said only
   /// where the data earn it. NaN: it always is.
   double absent = std::numeric_limits<double>::quiet_NaN();
+  /// What it may be off by at 95 %, as a part of its value, where that is not what its law is off by: of a
+  /// period, which data show whatever the form of what repeats. NaN: what the law is off by.
+  /// A share [-].
+  double off_by = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// What an effect says of itself.

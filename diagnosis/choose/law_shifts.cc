@@ -75,9 +75,13 @@ std::vector<double> half_widths_by_laws(const FitProblem& problem, const ModelFi
     for (std::size_t k = 0, own = 0; k < half.size() && own < open.size(); ++k)
       if (is_own(k, e)) add(k, open[own++]);
   }
+  const auto off_by = [&](std::size_t k) { return explanation.parameters()[k].off_by; };
+  for (std::size_t k = 0; k < half.size(); ++k)
+    if (!std::isnan(off_by(k))) add(k, off_by(k) * fit.values[k]);
   for (std::size_t e = 0; e < effects.size(); ++e)
     for (std::size_t k = 0; k < half.size(); ++k)
-      if (is_own(k, e) || !explanation.is_smooth()) add(k, off_in_scale * accuracies[e] * fit.values[k]);
+      if (std::isnan(off_by(k)) && (is_own(k, e) || !explanation.is_smooth()))
+        add(k, off_in_scale * accuracies[e] * fit.values[k]);
   if (!explanation.is_smooth()) return half;
   const ModelErrors errors = law_errors(problem, fit, baseline, [&](const Effect& e) {
     return is_known_exactly(e) ? fit.part_of_bound : off_as_deviation;

@@ -94,6 +94,7 @@ Explanation::Explanation(const Experiment& experiment, const SimulationChoice& c
     for (const auto& p : effects_[e]->parameters(experiment)) {
       FreeParameter free{p.name, p.unit,   static_cast<int>(e), p.low,       p.high,  p.logarithmic,
                          1,      p.starts, p.bounds_are_meant,  p.no_effect, p.absent};
+      free.off_by = p.off_by;
       if (!p.logarithmic) {
         free.scale = 0;
         for (const double start : p.starts) free.scale = std::max(free.scale, std::abs(start));

@@ -21,6 +21,7 @@ struct FreeParameter {
   bool bounds_are_meant = true;                                 ///< see EffectParameter
   double no_effect = std::numeric_limits<double>::quiet_NaN();  ///< likewise
   double absent = std::numeric_limits<double>::quiet_NaN();     ///< likewise
+  double off_by = std::numeric_limits<double>::quiet_NaN();     ///< likewise [-]
 
   /// Whether a fit ended at a bound that is only the search's own; value in `unit`.
   bool is_stopped_at(double value) const;

@@ -214,5 +214,18 @@ TEST(LawShifts_behaviour, parameters_of_laws_that_jump_get_the_factors_of_all) {
   EXPECT_NEAR(half.back(), together * slope, 1e-9 * slope);
 }
 
+/// A period is what the data show, whatever form repeats: 1 %, where the law of the drops states 30 %.
+TEST(LawShifts_behaviour, a_period_is_not_off_by_what_its_law_is) {
+  constexpr double amplitude = 5 * uN, period = 20 * nm, friction = 0.2;
+  const Explained events(test::lateral_path(1000 * uN, {0, 100 * nm, 0}, 60), Motion::sliding, {"stick_slip"},
+                         {friction, amplitude, period});
+  const double of_law = of_scale * effect_of("stick_slip").description().accuracy;
+  const auto half = events.half_widths();
+  ASSERT_EQ(half.size(), 3u);
+  EXPECT_NEAR(half[0], of_law * friction, 1e-9 * friction);
+  EXPECT_NEAR(half[1], of_law * amplitude, 1e-9 * amplitude);
+  EXPECT_NEAR(half[2], 0.01 * period, 1e-9 * period);
+}
+
 }  // namespace
 }  // namespace asperity
