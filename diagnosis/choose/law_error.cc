@@ -187,22 +187,25 @@ MatrixXd LawErrors::added_covariance(const Samples& samples, const Noise& noise,
   }
   const VectorXd size = white.colwise().norm();
   white.array().rowwise() /= size.transpose().array();
-  const MatrixXd by_noise = white.transpose() * white;
-  MatrixXd with_laws = by_noise;
-  const auto let_through = [&](const Group& group, const std::vector<LawError>& of_laws) {
+  const MatrixXd by_noise = white.transpose() * white, I = MatrixXd::Identity(white.cols(), white.cols());
+  // What a law that may be off hides of the information about the parameters.
+  const auto hide = [&](const Group& group, const std::vector<LawError>& of_laws, MatrixXd& hidden) {
     if (of_laws.empty() || group.samples.empty()) return;
     MatrixXd B = columns_of(group.samples, group.shapes, of_laws);
     filter.whiten(group.samples, B);
     MatrixXd J(static_cast<Eigen::Index>(group.samples.size()), white.cols());
     for (std::size_t row = 0; row < group.samples.size(); ++row)
       J.row(static_cast<Eigen::Index>(row)) = white.row(filter.place(group.samples[row]));
-    const MatrixXd seen = B.transpose() * J, I = MatrixXd::Identity(B.cols(), B.cols());
-    with_laws -= seen.transpose() * (I + B.transpose() * B).ldlt().solve(seen);
+    const MatrixXd seen = B.transpose() * J;
+    hidden +=
+        seen.transpose() * (MatrixXd::Identity(B.cols(), B.cols()) + B.transpose() * B).ldlt().solve(seen);
   };
-  let_through(curve_, errors.of_curves);
-  for (const Group& group : groups_) let_through(group, errors.of_laws);
-  const MatrixXd I = MatrixXd::Identity(white.cols(), white.cols());
-  const MatrixXd added = with_laws.ldlt().solve(I) - by_noise.ldlt().solve(I);
+  // Errors of one curve and of single runs overlap: each by itself, and the sum, which is no less.
+  MatrixXd of_curves = MatrixXd::Zero(white.cols(), white.cols()), of_runs = of_curves;
+  hide(curve_, errors.of_curves, of_curves);
+  for (const Group& group : groups_) hide(group, errors.of_laws, of_runs);
+  const MatrixXd added = (by_noise - of_curves).ldlt().solve(I) + (by_noise - of_runs).ldlt().solve(I) -
+                         2 * by_noise.ldlt().solve(I);
   return (size.cwiseInverse().asDiagonal() * added * size.cwiseInverse().asDiagonal()).eval();
 }
 

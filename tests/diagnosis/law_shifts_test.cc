@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/shear_moduli.h"
+#include "diagnosis/choose/law_error.h"
 
 #include "tests/diagnosis/support/assembled_mechanics.h"
 #include "tests/diagnosis/support/made_recording.h"
@@ -140,6 +141,28 @@ TEST(LawShifts_analytic, a_law_moves_parameters_of_others_as_generalised_least_s
       EXPECT_NEAR(half[0], of_slope, 1e-5 * of_slope) << noise << " " << part;
       EXPECT_NEAR(half[1], of_offset, 1e-5 * of_offset) << noise << " " << part;
     }
+}
+
+/// Of a law that is one curve and of one that is another in each run: what each adds by itself.
+TEST(LawShifts_analytic, curves_and_runs_that_are_off_add_up) {
+  const StraightLine line;
+  constexpr double noise = 0.1 * uN, off = 20 * uN;
+  const Samples samples = approach(line.depth, line.count);
+  Noise of_data;
+  of_data.sd.assign(line.count, noise);
+  of_data.shared.assign(1, {});
+  const LawError error(line.count, off);
+  const auto added = [&](std::vector<LawError> of_curves, std::vector<LawError> of_runs) {
+    ModelErrors errors;
+    errors.of_curves = std::move(of_curves);
+    errors.of_laws = std::move(of_runs);
+    return LawErrors(samples).added_covariance(samples, of_data, line.way, errors)(0, 0);
+  };
+  const double expected = added_variances({line.way}, noise, {off * line.one})[0];
+  EXPECT_NEAR(added({}, {error}), expected, 1e-6 * expected);
+  EXPECT_NEAR(added({error}, {}), expected, 1e-6 * expected);  // driven evenly, so at the same places
+  EXPECT_NEAR(added({error}, {error}), 2 * expected, 1e-6 * expected);
+  EXPECT_EQ(added({}, {}), 0);
 }
 
 /// A drift in a recording whose clock stands still: the data say nothing of it, and as much of the others as
