@@ -177,7 +177,7 @@ LawErrors::Cost LawErrors::cost(const Samples& samples, const Noise& noise,
   return cost;
 }
 
-MatrixXd LawErrors::added_covariance(const Samples& samples, const Noise& noise, MatrixXd changes,
+MatrixXd LawErrors::added_covariance(const Samples& samples, const Noise& noise, const MatrixXd& changes,
                                      const ModelErrors& errors) const {
   const NoiseFilter filter(samples, noise.sd, noise.shared);
   MatrixXd white(static_cast<Eigen::Index>(whole_.samples.size()), changes.cols());

@@ -87,7 +87,7 @@ class LawErrors {
   /// without their discrepancy, straight about the fit. changes: of the response with each parameter, a row
   /// for each sample; no column may be zero or like the others.
   /// In the parameters' units.
-  Eigen::MatrixXd added_covariance(const Samples& samples, const Noise& noise, Eigen::MatrixXd changes,
+  Eigen::MatrixXd added_covariance(const Samples& samples, const Noise& noise, const Eigen::MatrixXd& changes,
                                    const ModelErrors& errors) const;
 
  private:

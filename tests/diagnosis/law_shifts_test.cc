@@ -9,7 +9,6 @@
 
 #include "core/shear_moduli.h"
 #include "diagnosis/choose/law_error.h"
-
 #include "tests/diagnosis/support/assembled_mechanics.h"
 #include "tests/diagnosis/support/made_recording.h"
 
@@ -71,9 +70,11 @@ Samples approach(double depth, int count) {
 /// What laws that are off by `sizes` of the response, one deviation in each sample, add to the variances of
 /// parameters that change it by `changes`: y = J p + m + e of n even samples,
 ///   cov m = s_i s_j sum_k w_k phi_k(x_i) phi_k(x_j),  phi_0 = 1, phi_k = sqrt(2) cos(pi k x),
-///   w_k ~ 1/(1 + (k/4)^2), k = 0 to 12, of sum one.
+///   w_k ~ 1/(1 + (k/4)^2), k = 0 to 12, of sum one,
+///   cov e = noise^2 [(1 - share) delta_ij + share memory^|i - j|].
 std::vector<double> added_variances(const std::vector<Eigen::VectorXd>& changes, double noise,
-                                    const std::vector<Eigen::VectorXd>& sizes) {
+                                    const std::vector<Eigen::VectorXd>& sizes,
+                                    const SharedNoise& shared = {}) {
   const Eigen::Index n = changes.front().size();
   Eigen::MatrixXd J(n, static_cast<Eigen::Index>(changes.size())), shapes = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t k = 0; k < changes.size(); ++k) J.col(static_cast<Eigen::Index>(k)) = changes[k];
@@ -86,13 +87,18 @@ std::vector<double> added_variances(const std::vector<Eigen::VectorXd>& changes,
       phi[i] = k == 0 ? 1 : std::sqrt(2.0) * std::cos(M_PI * k * static_cast<double>(i) / (n - 1.0));
     shapes += weight * phi * phi.transpose();
   }
-  const Eigen::MatrixXd white = noise * noise * Eigen::MatrixXd::Identity(n, n);
-  Eigen::MatrixXd all = white;
+  Eigen::MatrixXd of_noise(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      of_noise(i, j) = noise * noise *
+                       ((i == j ? 1 - shared.share : 0) +
+                        shared.share * std::pow(shared.memory, static_cast<double>(std::abs(i - j))));
+  Eigen::MatrixXd all = of_noise;
   for (const auto& size : sizes) all += shapes.cwiseProduct(size * size.transpose()) / weights;
   const auto covariance = [&](const Eigen::MatrixXd& of_data) {
     return (J.transpose() * of_data.inverse() * J).inverse().eval();
   };
-  const Eigen::VectorXd added = (covariance(all) - covariance(white)).diagonal();
+  const Eigen::VectorXd added = (covariance(all) - covariance(of_noise)).diagonal();
   return {added.begin(), added.end()};
 }
 
@@ -141,6 +147,22 @@ TEST(LawShifts_analytic, a_law_moves_parameters_of_others_as_generalised_least_s
       EXPECT_NEAR(half[0], of_slope, 1e-5 * of_slope) << noise << " " << part;
       EXPECT_NEAR(half[1], of_offset, 1e-5 * of_offset) << noise << " " << part;
     }
+}
+
+/// Noise of which neighbouring samples share a half, as that of amplifiers.
+TEST(LawShifts_analytic, noise_that_samples_share_is_in_the_weights) {
+  const StraightLine line;
+  const SharedNoise shared{0.5, 0.7};
+  Explained tilt(approach(line.depth, line.count), Motion::normal, {"baseline_tilt"}, {line.slope});
+  tilt.problem.noise.shared.assign(1, shared);
+  tilt.problem.noise.sd.assign(line.count, 1 * uN);
+  tilt.fit.part_of_bound = 1;
+  const std::vector<Eigen::VectorXd> off{states * line.slope * line.way_nearby};
+  const double added = added_variances({line.way}, 1 * uN, off, shared)[0],
+               if_white = added_variances({line.way}, 1 * uN, off)[0],
+               expected = std::hypot(of_scale * states * line.slope, two_sided_95 * std::sqrt(added));
+  EXPECT_GT(std::abs(added / if_white - 1), 0.01);
+  EXPECT_NEAR(tilt.half_widths()[0], expected, 1e-5 * expected);
 }
 
 /// Of a law that is one curve and of one that is another in each run: what each adds by itself.
